@@ -17,22 +17,23 @@ using Eigen::Index;
 /// Predicting what was held out takes longer than all else that a report says.
 constexpr std::size_t most_closed_shares = 6;
 
-double sd_of(const Refit& fit, std::size_t unknown, double dispersion) {
+double sd_of(const Refit& fit, std::size_t unknown, const Eigen::MatrixXd& covariance) {
   const auto at = static_cast<Index>(std::find(fit.free.begin(), fit.free.end(), unknown) - fit.free.begin());
-  return std::sqrt(std::max(0.0, fit.covariance(at, at) * dispersion));
+  return std::sqrt(std::max(0.0, covariance(at, at)));
 }
 
 // The strength as its term in the catalogue has it.
-void say_strength(const Candidate& candidate, const Refit& fit, double dispersion, CauseReport& cause) {
+void say_strength(const Candidate& candidate, const Refit& fit, const Eigen::MatrixXd& covariance,
+                  CauseReport& cause) {
   const Candidate::Strength strength = candidate.strength_of_term(fit.unknowns);
-  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(fit.covariance.rows());
+  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(covariance.rows());
   const auto place = [&](std::size_t unknown) {
     return static_cast<Index>(std::find(fit.free.begin(), fit.free.end(), unknown) - fit.free.begin());
   };
   slopes(place(candidate.strengths.front())) = strength.by_strength;
   if (strength.by_shape != 0) slopes(place(candidate.shapes.front())) = strength.by_shape;
   cause.coefficient = strength.value;
-  cause.sd = std::sqrt(std::max(0.0, slopes.dot(fit.covariance * slopes) * dispersion));
+  cause.sd = std::sqrt(std::max(0.0, slopes.dot(covariance * slopes)));
 }
 
 }  // namespace
@@ -42,6 +43,7 @@ std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals)
   std::map<std::string, std::size_t> places;
   for (const Rival& r : rivals) {
     const Refit& fit = r.explanation->fit;
+    const Eigen::MatrixXd of_fit = covariance(fit);
     for (std::size_t m = 0; m < r.effects.size(); ++m) {
       const bool own = r.explanation->members.empty();
       const Candidate* candidate = own ? nullptr : &candidates[r.explanation->members[m]];
@@ -57,11 +59,11 @@ std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals)
       if (candidate) {
         cause.subject = candidate->subject;
         cause.coefficient_name = unknown_names[candidate->strengths.front()];
-        say_strength(*candidate, fit, dispersion, cause);
+        say_strength(*candidate, fit, of_fit, cause);
         for (const std::size_t shape : candidate->shapes)
           cause.shapes.push_back({unknown_names[shape],
                                   candidate->sign_of_shapes(fit.unknowns) * fit.unknowns(static_cast<Index>(shape)),
-                                  sd_of(fit, shape, dispersion)});
+                                  sd_of(fit, shape, of_fit)});
       }
       if (r.effects.size() == 1 && found.size() < most_closed_shares) cause.closed = closed_share(*r.explanation);
       found.push_back(std::move(cause));
@@ -87,7 +89,7 @@ OpenLaw CauseReporter::open_law(const Rival& rival) const {
           law.effect,
           law.in_words,
           fit.unknowns(static_cast<Index>(exponent)),
-          sd_of(fit, exponent, dispersion),
+          sd_of(fit, exponent, covariance(fit)),
           rival.probability};
 }
 

@@ -36,9 +36,9 @@ struct OpenLaw {
 /// What a report says of the rivals; all of them hold indices into `candidates`.
 struct CauseReporter {
   const std::vector<Candidate>& candidates;
-  const std::vector<std::string>& unknown_names;           ///< of the discrepancy
-  double dispersion = 1;                                   ///< Inference::dispersion
-  std::function<double(const Explanation&)> closed_share;  ///< of the gap, on held-out conditions
+  const std::vector<std::string>& unknown_names;            ///< of the discrepancy
+  std::function<Eigen::MatrixXd(const Refit&)> covariance;  ///< of the free unknowns of a fit
+  std::function<double(const Explanation&)> closed_share;   ///< of the gap, on held-out conditions
 
   /// Causes by falling probability; the first few single ones of `rivals` say what share of the gap they close.
   std::vector<CauseReport> causes(const std::vector<Rival>& rivals) const;

@@ -9,12 +9,15 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/evidence/observe_conditions.hpp"
 #include "diagnose/evidence/unresolved_blows.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "input/input_error.hpp"
+#include "measure/data/false_alarm.hpp"
+#include "measure/disturbances/lines.hpp"
 #include "measure/observe/record_window.hpp"
 
 namespace secular {
@@ -284,6 +287,21 @@ Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffe
   return result;
 }
 
+// Whether most of what drives a record are lines of its spectrum.
+bool is_driven_by_lines(const Campaign& campaign, const Record& record) {
+  double in_lines = 0, in_all = 0;
+  for (std::size_t c = 0; c < campaign.channels.size() && c < record.channels.size(); ++c) {
+    if (campaign.channels[c].role != ChannelRole::excitation) continue;
+    const std::span<const double> samples = std::span(record.channels[c]).first(record.channels[c].size() / 2 * 2);
+    const Eigen::Map<const VectorXd> reading(samples.data(), static_cast<Index>(samples.size()));
+    if (!reading.allFinite()) continue;
+    in_all += (reading.array() - reading.mean()).square().mean();
+    for (const Line& line : find_lines(samples, record.sample_rate_hz, false_alarm_of_channel(campaign)))
+      in_lines += 0.5 * line.amplitude * line.amplitude;
+  }
+  return 2 * in_lines > in_all;
+}
+
 std::vector<SegmentEvidence::Left> left_of_records(const CampaignAndModel& sides, const Comparison& comparison,
                                                    const DiagnosisOptions& options, const VectorXd& unknowns) {
   std::vector<std::string> said_before;
@@ -292,6 +310,12 @@ std::vector<SegmentEvidence::Left> left_of_records(const CampaignAndModel& sides
       {options.window, SegmentLength::turns, std::numeric_limits<Index>::max(), options.wandering, options.tones,
        options.coloured, options.blows_as_decays},
       said_before);
+  std::map<std::size_t, bool> by_lines;
+  for (const Segment& s : segments)
+    if (s.excitation.cols() > 0 && !by_lines.contains(s.record))
+      by_lines[s.record] = is_driven_by_lines(sides.campaign, sides.read(s.record));
+  std::erase_if(segments, [&](const Segment& s) { return by_lines[s.record]; });
+  if (segments.empty()) return {};
   std::map<std::size_t, Index> samples;  // so far, by record
   std::erase_if(segments, [&](const Segment& s) {
     Index& before = samples[s.record];

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "measure/data/false_alarm.hpp"
 #include "measure/disturbances/left_lines.hpp"
@@ -133,7 +134,8 @@ void allow_for(const ForeignContent& content, const Campaign& campaign, Diagnosi
   }
 }
 
-std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& left, const Campaign& campaign,
+std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& compared,
+                              const std::vector<SegmentEvidence::Left>& records, const Campaign& campaign,
                               ForeignContent& content) {
   const double level = false_alarm_of_channel(campaign);
   std::vector<Disturbance> fresh;
@@ -148,16 +150,8 @@ std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& left, co
   // Rings and colours are found anew.
   std::erase_if(content.found,
                 [&](const Disturbance& d) { return d.kind == colour_kind || is_ring_of(d, content.ringing); });
-  for (const SegmentEvidence::Left& l : left) {
-    const Channel& channel = campaign.channels[l.channel];
-    if (has_no_mean(channel) && l.slow_freedom >= 1 &&
-        f_upper_tail(l.slow / l.slow_freedom / (l.other / l.other_freedom), l.slow_freedom, l.other_freedom) <
-            level) {
-      Disturbance d = found_in(l, campaign, wander_kind, std::sqrt(l.slow / l.other) * l.rms);
-      d.text = fmt::format("the zero wanders by {:.3g} {} rms beside what the model moves", d.size, d.unit);
-      add(std::move(d), 0);
-    }
-    bool new_line = false;
+  std::set<std::pair<std::size_t, std::size_t>> new_lines;  // record, channel
+  for (const SegmentEvidence::Left& l : records)
     for (const LeftLine& line : find_left_lines(l.rest, l.reading, 1 / l.sample_s, level)) {
       Disturbance d = found_in(l, campaign, line.rate > 0 ? ring_kind : tone_kind, line.amplitude);
       d.frequency_hz = line.frequency_hz;
@@ -167,10 +161,19 @@ std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& left, co
                                    line.frequency_hz, d.size, d.unit, line.rate)
                              : fmt::format("a steady tone of {:.5g} Hz and {:.3g} {} that the model leaves",
                                            line.frequency_hz, d.size, d.unit);
-      new_line = new_line || !is_known(before, d);
+      if (!is_known(before, d)) new_lines.insert({l.record, l.channel});
       add(std::move(d), line.rate);
     }
-    if (new_line) continue;  // beside it a colour is told
+  for (const SegmentEvidence::Left& l : compared) {
+    const Channel& channel = campaign.channels[l.channel];
+    if (has_no_mean(channel) && l.slow_freedom >= 1 &&
+        f_upper_tail(l.slow / l.slow_freedom / (l.other / l.other_freedom), l.slow_freedom, l.other_freedom) <
+            level) {
+      Disturbance d = found_in(l, campaign, wander_kind, std::sqrt(l.slow / l.other) * l.rms);
+      d.text = fmt::format("the zero wanders by {:.3g} {} rms beside what the model moves", d.size, d.unit);
+      add(std::move(d), 0);
+    }
+    if (new_lines.contains({l.record, l.channel})) continue;  // beside it a colour is told
     if (const auto colour = colour_of(l, content, level)) {
       Disturbance d = found_in(l, campaign, colour_kind, colour->sd);
       d.text = fmt::format("noise of {:.3g} {} (sd) beside white noise, correlated over {:.2g} s", colour->sd,

@@ -26,8 +26,10 @@ struct ForeignContent {
 void allow_for(const ForeignContent& content, const Campaign& campaign, DiagnosisOptions& options);
 
 /// Adds what no missing term of the equations makes of what the model leaves (docs/inference.md (36)); how much was
-/// found.
-std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& left, const Campaign& campaign,
+/// found. `compared`: in the samples that are compared; `records`: in those one behind the other, in which lines
+/// are looked for (left_of_records()).
+std::size_t find_left_content(const std::vector<SegmentEvidence::Left>& compared,
+                              const std::vector<SegmentEvidence::Left>& records, const Campaign& campaign,
                               ForeignContent& content);
 
 }  // namespace secular

@@ -38,13 +38,18 @@ ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& opti
       log_width += 0.5 * std::log1p(sd * sd / frequency.variance);
     }
   }
-  std::vector<SegmentEvidence::Left> left;
-  if (comparison.segment_evidence && !comparison.discrepancy.admits_own() && !common_late_s)
-    left = left_of_records(sides, comparison, options, alone.null.fit.unknowns);
-  return {{alone.null.fit.chi_squared, alone.degrees_of_freedom},
+  const RowsLeft left{alone.null.fit.chi_squared, alone.degrees_of_freedom};
+  std::vector<SegmentEvidence::Left> of_segments, of_records;
+  if (comparison.segment_evidence && !comparison.discrepancy.admits_own() && !common_late_s &&
+      is_more_than_noise(left)) {
+    of_segments = comparison.segment_evidence->left(alone.null.fit.unknowns);
+    of_records = left_of_records(sides, comparison, options, alone.null.fit.unknowns);
+  }
+  return {left,
           scatter_about(comparison.discrepancy, alone.null.fit.unknowns, sides.model.modes()),
           lateness_about(comparison.discrepancy),
-          std::move(left),
+          std::move(of_segments),
+          std::move(of_records),
           scattering_modes,
           log_width};
 }

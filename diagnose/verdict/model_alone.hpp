@@ -17,8 +17,9 @@ struct ModelAlone {
   RowsLeft left;
   FrequencyScatter scatter;  ///< where the options admit it
   LateRecords late;          ///< where the options admit it
-  /// Of records that are compared sample by sample; none where records are allowed to have anything of their own.
-  std::vector<SegmentEvidence::Left> of_segments;
+  /// Of records that are compared sample by sample, where more than noise is left and records are not allowed to
+  /// have anything of their own: what is left in the samples that are compared, and left_of_records().
+  std::vector<SegmentEvidence::Left> of_segments, of_records;
 
   /// Natural frequencies of each record's own, where admitted: of how many modes, and log of how much wider they
   /// are spread before the record is seen than after it, sum over records (docs/inference.md (26a)).

@@ -28,7 +28,7 @@ class StepByStep {
     StepwiseDiagnosis result;
     const ModelAlone plain = alone({});
     std::vector<Allowance> all{{}};
-    if (!holds_beside_foreign_content(plain)) {
+    if (is_more_than_noise(plain.left) && !holds_beside_foreign_content(plain)) {
       DecayScatter of_decays;
       if (identified) of_decays = find_decay_scatter(identified);
       result.decays_warning = std::move(of_decays.warning);
@@ -71,12 +71,12 @@ class StepByStep {
     const Campaign& campaign = sides_.campaign;
     const ForeignContent in_records = foreign_;
     for (std::size_t round = 0; round < diagnose_thresholds().foreign_searches &&
-                                find_left_content(left.of_segments, campaign, foreign_) > 0;
+                                find_left_content(left.of_segments, left.of_records, campaign, foreign_) > 0;
          ++round) {
       allow_for(foreign_, campaign, options_);
       left = alone({});
+      if (!is_more_than_noise(left.left)) return true;
     }
-    if (!is_more_than_noise(left.left)) return true;
     foreign_ = in_records;
     allow_for(foreign_, campaign, options_);
     return false;

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "measure/disturbances/lines.hpp"
 #include "numerics/distribution.hpp"
@@ -37,13 +38,10 @@ MovingLine moving_line_of(std::span<const double> motion, double rate_hz) {
   return {whole, std::abs(whole - first)};
 }
 
-// Products of a motion are no sharper than the motion is. Where its own line does not stand out, as in a resonance
-// that noise or a sweep drives, none of its multiples does.
-bool stands_out(const MovingLine& of, std::span<const double> motion, double rate_hz, double false_alarm) {
-  const double reach_hz = lobe_bins * rate_hz / static_cast<double>(motion.size());
-  const std::vector<Line> lines = find_lines(motion, rate_hz, false_alarm);
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](const Line& line) { return std::abs(line.frequency_hz - of.frequency_hz) < reach_hz; });
+// Products of a motion are no sharper than the motion is. Where no line of it stands out, as in a resonance that
+// noise or a sweep drives, none of its products does.
+bool holds_lines(std::span<const double> motion, double rate_hz, double false_alarm) {
+  return !find_lines(motion, rate_hz, false_alarm).empty();
 }
 
 // Of a falling line the frequency is fitted, to less than a bin; a steady one is told from a multiple by the main
@@ -71,34 +69,44 @@ Fall fitted(const VectorXd& left, double frequency_hz, double rate, double rate_
   return {frequency_hz, rate, size.norm(), size.dot(along)};
 }
 
-// By the largest gain over a grid that closes in: frequencies within two bins of the part that shows it, rates from
-// a tenth of one in the whole to sixteen in the part; steady where that takes as much but for chance.
-LeftLine fitted_line(const VectorXd& left, double frequency_hz, double part_s, double rate_hz, double false_alarm) {
+// By the largest gain over a grid that closes in about a frequency: `reach_hz` on either side, rates from a tenth
+// of one in the whole to sixteen in the part, or `sign` = -1: of a line that grows; 0: of one that is steady.
+Fall best_fall(const VectorXd& left, double frequency_hz, double reach_hz, double part_s, double rate_hz,
+               int sign) {
   const double whole_s = static_cast<double>(left.size()) / rate_hz;
-  Fall best = fitted(left, frequency_hz, 1 / part_s, rate_hz);
-  Fall steady = fitted(left, frequency_hz, 0, rate_hz);
-  double off_hz = 2 / part_s, ratio = std::sqrt(160 * whole_s / part_s),
-         middle = std::sqrt(1.6 / (part_s * whole_s));
+  double rate = std::sqrt(1.6 / (part_s * whole_s)), ratio = std::sqrt(160 * whole_s / part_s);
+  Fall best = fitted(left, frequency_hz, sign * rate, rate_hz);
+  const int rates = sign == 0 ? 0 : 4;
   for (int round = 0; round < 4; ++round) {
-    const double about_hz = round == 0 ? frequency_hz : best.frequency_hz,
-                 about_rate = round == 0 ? middle : best.rate, steady_hz = steady.frequency_hz;
-    for (int f = -4; f <= 4; ++f) {
-      const Fall still = fitted(left, steady_hz + 0.25 * f * off_hz, 0, rate_hz);
-      if (still.gain > steady.gain) steady = still;
-      for (int r = -4; r <= 4; ++r) {
+    const double about_hz = best.frequency_hz;
+    for (int f = -4; f <= 4; ++f)
+      for (int r = -rates; r <= rates; ++r) {
         const Fall fall =
-            fitted(left, about_hz + 0.25 * f * off_hz, about_rate * std::pow(ratio, 0.25 * r), rate_hz);
+            fitted(left, about_hz + 0.25 * f * reach_hz, sign * rate * std::pow(ratio, 0.25 * r), rate_hz);
         if (fall.gain > best.gain) best = fall;
       }
-    }
-    off_hz *= 0.25;
+    if (sign != 0) rate = std::abs(best.rate);
+    reach_hz *= 0.25;
     ratio = std::pow(ratio, 0.25);
   }
-  const double freedom = static_cast<double>(left.size()) - 4,
-               variance = std::max(0.0, left.squaredNorm() - best.gain) / freedom;
-  if (f_upper_tail((best.gain - steady.gain) / variance, 1, freedom) > false_alarm)
-    return {steady.frequency_hz, steady.amplitude, 0};
-  return {best.frequency_hz, best.amplitude, best.rate};
+  return best;
+}
+
+// Steady where neither falling nor growing takes more than chance; nothing where it grows.
+std::optional<LeftLine> fitted_line(const VectorXd& left, double frequency_hz, double part_s, double rate_hz,
+                                    double false_alarm) {
+  const double whole_s = static_cast<double>(left.size()) / rate_hz;
+  const Fall falls = best_fall(left, frequency_hz, 2 / part_s, part_s, rate_hz, 1),
+             steady = best_fall(left, falls.frequency_hz, 1 / whole_s, part_s, rate_hz, 0);
+  const double freedom = static_cast<double>(left.size()) - 4;
+  const auto takes_more = [&](const Fall& fall) {
+    const double variance = (left.squaredNorm() - fall.gain) / freedom;
+    return fall.gain > steady.gain &&
+           (!(variance > 0) || f_upper_tail((fall.gain - steady.gain) / variance, 1, freedom) < false_alarm);
+  };
+  if (takes_more(falls)) return LeftLine{falls.frequency_hz, falls.amplitude, falls.rate};
+  if (takes_more(best_fall(left, steady.frequency_hz, 1 / whole_s, whole_s, rate_hz, -1))) return std::nullopt;
+  return LeftLine{steady.frequency_hz, steady.amplitude, 0};
 }
 
 }  // namespace
@@ -110,13 +118,14 @@ std::vector<LeftLine> find_left_lines(std::span<const double> left, std::span<co
     const double bin_hz = 1 / part_s;
     for (const LeftLine& other : found)
       if (std::abs(other.frequency_hz - line.frequency_hz) < lobe_bins * bin_hz) return;
-    const LeftLine fresh =
+    const std::optional<LeftLine> fresh =
         steady ? LeftLine{line.frequency_hz, line.amplitude, 0}
                : fitted_line(Eigen::Map<const VectorXd>(left.data(), static_cast<Index>(left.size())),
                              line.frequency_hz, part_s, rate_hz, 0.5 * false_alarm);
+    if (!fresh) return;
     const MovingLine of = moving_line_of(moving, rate_hz);
-    if (is_multiple(fresh, of, bin_hz) && (!steady || stands_out(of, moving, rate_hz, 0.5 * false_alarm))) return;
-    found.push_back(fresh);
+    if (is_multiple(*fresh, of, bin_hz) && (!steady || holds_lines(moving, rate_hz, 0.5 * false_alarm))) return;
+    found.push_back(*fresh);
   };
   for (const Line& line : find_lines(left, rate_hz, 0.5 * false_alarm))
     if (line.steady) add(line, motion, static_cast<double>(left.size()) / rate_hz, true);

@@ -122,14 +122,15 @@ TEST_F(ForeignContent, ColouredNoiseInADecayIsNoGap) {
   expect_no_gap_beside("coloured_noise");
 }
 
-// Long before it makes a gap: it would move numbers by many standard deviations.
+// It would move numbers by many standard deviations. (What is left of it falls where the sweep nears the
+// resonance.)
 TEST_F(ForeignContent, AToneBesideTheResonanceOfASweepMovesNoNumber) {
   measure_sweep();
   add(neighbour);
   const nlohmann::json d = diagnosis();
   ASSERT_TRUE(d.is_object()) << printed();
   EXPECT_EQ(d["verdict"], "no_gap") << printed();
-  EXPECT_TRUE(is_fitted(d, "foreign_tone")) << printed();
+  EXPECT_TRUE(is_fitted(d, "foreign_tone") || is_fitted(d, "neighbour_mode")) << printed();
   for (const nlohmann::json& p : d["parameters"])
     for (const auto& [name, truth] : {std::pair{"omega0", 66.7}, {"mu1", 0.75}, {"eta1", 1.0}})
       if (p["name"] == name) {

@@ -77,21 +77,21 @@ TEST_F(AdmittedContent, AToneOfOneRecordIsInAllThatAreComparedSampleBySample) {
 
 TEST_F(AdmittedContent, WhatAModelLeavesIsFoundOnce) {
   ForeignContent content;
-  EXPECT_EQ(find_left_content({left(1, 12)}, campaign, content), 2U);
+  EXPECT_EQ(find_left_content({left(1, 12)}, {left(1, 12)}, campaign, content), 2U);
   ASSERT_EQ(content.found.size(), 2U);
   EXPECT_EQ(content.found[0].kind, tone_kind);
   EXPECT_EQ(content.found[1].kind, ring_kind);
   ASSERT_EQ(content.ringing[0].size(), 1U);
   EXPECT_NEAR(content.ringing[0][0].rate, 2, 0.2);
   // A ring is looked for anew, a tone is known.
-  EXPECT_EQ(find_left_content({left(1, 0)}, campaign, content), 0U);
+  EXPECT_EQ(find_left_content({left(1, 0)}, {left(1, 0)}, campaign, content), 0U);
   ASSERT_EQ(content.found.size(), 1U);
   EXPECT_EQ(content.found[0].kind, tone_kind);
 }
 
 TEST_F(AdmittedContent, NoiseAloneHoldsNothing) {
   ForeignContent content;
-  EXPECT_EQ(find_left_content({left(0, 0)}, campaign, content), 0U);
+  EXPECT_EQ(find_left_content({left(0, 0)}, {left(0, 0)}, campaign, content), 0U);
 }
 
 }  // namespace
