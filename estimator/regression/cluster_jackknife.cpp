@@ -40,6 +40,7 @@ ClusterJackknife cluster_jackknife(const FittedCoordinates& fit, std::span<const
   result.score.resize(members.size());
   std::vector<char> determines_alone(members.size(), 0);
   in_parallel(members.size(), threads, [&](std::size_t g) {
+    if (rank == 0) return;  // nothing is seen that a cluster could change
     const MatrixXd basis = fit.orthonormal(members[g], Eigen::all);
     const MatrixXd gram = basis.transpose() * basis, kept = MatrixXd::Identity(rank, rank) - gram;
     const Eigen::LDLT<MatrixXd> solver(kept);
