@@ -5,16 +5,10 @@
 #include <cmath>
 
 namespace secular {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// A cluster that alone determines a direction leaves nothing to compare it with.
-constexpr double largest_leverage = 0.999;
-
-}  // namespace
 
 void ClusterScatter::keep_above(const VectorXd& least, const VectorXd& error) {
   VectorXd larger = VectorXd::Ones(least.size());

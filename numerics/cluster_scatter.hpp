@@ -6,6 +6,9 @@
 
 namespace secular {
 
+/// A cluster that takes more than this of a direction determines it alone: nothing is left to compare it with.
+inline constexpr double largest_leverage = 0.999;
+
 /// Rows of a least-squares fit that belong together, in coordinates in which the columns of all rows are
 /// orthonormal.
 struct ClusterOfRows {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <span>
 
 #include "diagnose/evidence/line_evidence.hpp"
@@ -190,6 +191,21 @@ std::string unsteady_warning(const Unsteadiness& unsteady) {
       unsteady.ratio, unsteady.p_value, unsteady.record);
 }
 
+// Whether most of what drives a record are lines of its spectrum.
+bool is_driven_by_lines(const Campaign& campaign, const Record& record) {
+  double in_lines = 0, in_all = 0;
+  for (std::size_t c = 0; c < campaign.channels.size() && c < record.channels.size(); ++c) {
+    if (campaign.channels[c].role != ChannelRole::excitation) continue;
+    const std::span<const double> samples = std::span(record.channels[c]).first(record.channels[c].size() / 2 * 2);
+    const Eigen::Map<const VectorXd> reading(samples.data(), static_cast<Index>(samples.size()));
+    if (!reading.allFinite()) continue;
+    in_all += (reading.array() - reading.mean()).square().mean();
+    for (const Line& line : find_lines(samples, record.sample_rate_hz, false_alarm_of_channel(campaign)))
+      in_lines += 0.5 * line.amplitude * line.amplitude;
+  }
+  return 2 * in_lines > in_all;
+}
+
 }  // namespace
 
 std::vector<std::size_t> Comparison::fitted_beside(std::vector<std::size_t> own) const {
@@ -287,34 +303,21 @@ Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffe
   return result;
 }
 
-// Whether most of what drives a record are lines of its spectrum.
-bool is_driven_by_lines(const Campaign& campaign, const Record& record) {
-  double in_lines = 0, in_all = 0;
-  for (std::size_t c = 0; c < campaign.channels.size() && c < record.channels.size(); ++c) {
-    if (campaign.channels[c].role != ChannelRole::excitation) continue;
-    const std::span<const double> samples = std::span(record.channels[c]).first(record.channels[c].size() / 2 * 2);
-    const Eigen::Map<const VectorXd> reading(samples.data(), static_cast<Index>(samples.size()));
-    if (!reading.allFinite()) continue;
-    in_all += (reading.array() - reading.mean()).square().mean();
-    for (const Line& line : find_lines(samples, record.sample_rate_hz, false_alarm_of_channel(campaign)))
-      in_lines += 0.5 * line.amplitude * line.amplitude;
-  }
-  return 2 * in_lines > in_all;
-}
-
 std::vector<SegmentEvidence::Left> left_of_records(const CampaignAndModel& sides, const Comparison& comparison,
                                                    const DiagnosisOptions& options, const VectorXd& unknowns) {
   std::vector<std::string> said_before;
+  std::set<std::size_t> by_lines;
+  const RecordReader read = [&](std::size_t r) {
+    Record record = sides.read(r);
+    if (is_driven_by_lines(sides.campaign, record)) by_lines.insert(r);
+    return record;
+  };
   std::vector<Segment> segments = cut_segments(
-      sides.campaign, sides.read, comparison.sensors, natural_frequencies(sides.model, options, comparison.start),
+      sides.campaign, read, comparison.sensors, natural_frequencies(sides.model, options, comparison.start),
       {options.window, SegmentLength::turns, std::numeric_limits<Index>::max(), options.wandering, options.tones,
        options.coloured, options.blows_as_decays},
       said_before);
-  std::map<std::size_t, bool> by_lines;
-  for (const Segment& s : segments)
-    if (s.excitation.cols() > 0 && !by_lines.contains(s.record))
-      by_lines[s.record] = is_driven_by_lines(sides.campaign, sides.read(s.record));
-  std::erase_if(segments, [&](const Segment& s) { return by_lines[s.record]; });
+  std::erase_if(segments, [&](const Segment& s) { return s.excitation.cols() > 0 && by_lines.contains(s.record); });
   if (segments.empty()) return {};
   std::map<std::size_t, Index> samples;  // so far, by record
   std::erase_if(segments, [&](const Segment& s) {

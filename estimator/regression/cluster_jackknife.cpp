@@ -6,19 +6,14 @@
 #include <map>
 #include <utility>
 
+#include "numerics/cluster_scatter.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// A cluster that alone determines a direction leaves nothing to compare it with.
-constexpr double largest_leverage = 0.999;
-
-}  // namespace
 
 MatrixXd ClusterJackknife::covariance() const {
   const auto n = static_cast<double>(labels.size());

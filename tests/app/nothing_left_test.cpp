@@ -2,16 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "app/shared/identification.hpp"
-#include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "motion/simulate/virtual_test.hpp"
-#include "tests/campaign/write_campaign.hpp"
-#include "tests/places.hpp"
+#include "tests/app/other_dwells.hpp"
 #include "tests/process_folder.hpp"
 
 namespace secular::app {
@@ -20,20 +15,13 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(NothingLeft, IsBadInputOfTheCampaign) {
-  std::ifstream shipped(testing_support::source_folder() / "models/experiments/principal_parametric.toml");
-  std::string text(std::istreambuf_iterator<char>(shipped), {});
-  text.resize(text.find("[[dwell]]"));
-  text +=
-      "[[dwell]]\nfrequencies_hz = [24.6, 24.7]\namplitudes = [1.0]\nensembles = 2\nensemble_s = 2.0\n"
-      "settle_s = 30.0\ninitial_displacement = [0.0001]\ngroup = \"level\"\n";
   const fs::path folder = testing_support::process_folder() / "secular_nothing_left";
-  fs::create_directories(folder);
-  std::ofstream(folder / "rest.toml") << text;
-  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
-  const SimulatedCampaign simulated = run_virtual_test(read_experiment(folder / "rest.toml", model), model, 1, 2);
-  write_campaign(simulated.campaign, simulated.samples, folder / "campaign");
   IdentificationRequest request;
-  request.campaign = (folder / "campaign").string();
+  request.campaign = testing_support::campaign_of_other_dwells(
+                         "[[dwell]]\nfrequencies_hz = [24.6, 24.7]\namplitudes = [1.0]\nensembles = 2\n"
+                         "ensemble_s = 2.0\nsettle_s = 30.0\ninitial_displacement = [0.0001]\ngroup = \"level\"\n",
+                         folder)
+                         .string();
   request.model = "two_mass_mode1";
   try {
     identify(request);

@@ -16,6 +16,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "motion/simulate/virtual_test.hpp"
+#include "tests/app/other_dwells.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
@@ -136,9 +137,6 @@ TEST(Procedure, AnyCaseOfDwellsHasAnAnalysisOfVariance) {
 
 // Six dwells of which quadratic damping explains none: what cannot be fitted is left out and said, the rest stands.
 TEST(Procedure, LeavesOutWhatFewDwellsCannotTell) {
-  std::ifstream shipped(testing_support::source_folder() / "models/experiments/principal_parametric.toml");
-  std::string text(std::istreambuf_iterator<char>(shipped), {});
-  text.resize(text.find("[[dwell]]"));
   const struct {
     double frequency_hz, level, ensemble_s, settle_s, displacement;
     int ensembles;
@@ -148,6 +146,7 @@ TEST(Procedure, LeavesOutWhatFewDwellsCannotTell) {
                 {24.68196612895178, 5.564599531521013, 4, 1, 0.0001, 1},
                 {24.88120001301066, 16.674244582896037, 4, 30, 0.01, 2},
                 {24.793715821577358, 27.77416328598115, 1, 1, 0.0001, 1}};
+  std::string text;
   for (const auto& d : dwells)
     text += fmt::format(
         "[[dwell]]\nfrequencies_hz = [{}]\namplitudes = [{}]\nensembles = {}\nensemble_s = {:.1f}\nsettle_s = "
@@ -155,13 +154,8 @@ TEST(Procedure, LeavesOutWhatFewDwellsCannotTell) {
         "initial_displacement = [{}]\ngroup = \"level\"\n",
         d.frequency_hz, d.level, d.ensembles, d.ensemble_s, d.settle_s, d.displacement);
   const fs::path folder = testing_support::process_folder() / "secular_procedure_few";
-  fs::create_directories(folder);
-  std::ofstream(folder / "few.toml") << text;
-  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
-  const SimulatedCampaign simulated = run_virtual_test(read_experiment(folder / "few.toml", model), model, 1, 2);
-  write_campaign(simulated.campaign, simulated.samples, folder / "campaign");
   ProcedureRequest request;
-  request.campaign = (folder / "campaign").string();
+  request.campaign = testing_support::campaign_of_other_dwells(text, folder).string();
   request.model = "two_mass_mode1";
   request.bias = false;
   const ProcedureRun run = run_procedures(request);

@@ -17,6 +17,7 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "motion/simulate/virtual_test.hpp"
+#include "tests/diagnose/pendulum_swing.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
 
@@ -25,11 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SimulatedCampaign simulated(const CompiledModel& model, const std::string& text, std::uint64_t seed) {
-  const fs::path path = testing_support::process_folder() / ("diagnosis_" + std::to_string(seed) + ".toml");
-  std::ofstream(path) << text;
-  return run_virtual_test(read_experiment(path, model), model, seed, 1);
-}
+using testing_support::pendulum_swing;
+using testing_support::simulated;
 
 struct Withheld {
   std::string symbol, effect;
@@ -49,29 +47,6 @@ Diagnosis diagnosed(const CompiledModel& model, const SimulatedCampaign& data,
   }
   const RecordReader read = [&](std::size_t r) { return data.samples[r]; };
   return diagnose({data.campaign, read, model, own}, effects, options);
-}
-
-std::string pendulum_swing(double mu2, double fc) {
-  return R"(schema = 1
-name = "swing"
-model = "pendulum"
-sample_rate_hz = 100.0
-[parameters]
-omega0 = 5.77
-alpha3 = -5.55
-alpha5 = 0.2775
-mu1 = 0.004
-mu2 = )" +
-         std::to_string(mu2) + "\nfc = " + std::to_string(fc) + R"(
-[[response]]
-name = "theta"
-quantity = "angle"
-unit = "rad"
-noise_sd = 2e-4
-[[free_decay]]
-initial_displacement = [0.9]
-duration_s = 60.0
-)";
 }
 
 const std::vector<Withheld> damping_laws = {{"mu2", "quadratic_damping"}, {"fc", "coulomb_friction"}};

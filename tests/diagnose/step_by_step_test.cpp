@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 #include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "measure/disturbances/catalogue.hpp"
-#include "motion/simulate/virtual_test.hpp"
-#include "tests/process_folder.hpp"
+#include "tests/diagnose/pendulum_swing.hpp"
 
 namespace secular {
 namespace {
@@ -21,30 +19,7 @@ namespace {
 class StepByStep : public testing::Test {
  protected:
   StepByStep() {
-    const std::filesystem::path path =
-        testing_support::process_folder() /
-        (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".toml");
-    std::ofstream(path) << R"(schema = 1
-name = "swing"
-model = "pendulum"
-sample_rate_hz = 100.0
-[parameters]
-omega0 = 5.77
-alpha3 = -5.55
-alpha5 = 0.2775
-mu1 = 0.004
-mu2 = 0.01
-fc = 0.0
-[[response]]
-name = "theta"
-quantity = "angle"
-unit = "rad"
-noise_sd = 2e-4
-[[free_decay]]
-initial_displacement = [0.9]
-duration_s = 60.0
-)";
-    data = run_virtual_test(read_experiment(path, model), model, 12, 1);
+    data = testing_support::simulated(model, testing_support::pendulum_swing(0.01, 0), 12);
     for (std::size_t s = 0; s < model.symbols.size(); ++s) own.push_back(s);
   }
 
