@@ -34,6 +34,12 @@ constexpr auto& driven_turns = diagnose_thresholds().driven_turns;
 /// Of a segment.
 constexpr auto& fewest_segment_samples = diagnose_thresholds().segment_samples;
 
+/// Into which a record's segments are dealt out in turn.
+constexpr int folds_of_a_record = 10;
+
+/// One is held out, and three tell how far they differ.
+constexpr std::size_t compared_segments = 4;
+
 /// A decay keeps so many segments whatever the others hold: its laws of the amplitude are read from them, and how
 /// they repeat, which takes half as many.
 Index fewest_of_a_decay() {
@@ -87,12 +93,15 @@ class Cutter {
     return m.driven ? m : decay(entry, std::move(m));
   }
 
-  // Samples of a segment; 0, with a warning, where there is too little for one.
-  Index length(const RecordEntry& entry, const Movement& m) {
-    const double turns = m.driven ? driven_turns : decay_turns;
-    const Index wanted = cut_.length == SegmentLength::whole
-                             ? m.available()
-                             : static_cast<Index>(std::ceil(turns * two_pi / lowest_ * m.thinned_rate()));
+  // Samples of a segment; 0, with a warning, where there is too little for one. Of what is driven they are shorter
+  // where so few would be compared that nothing could be held out.
+  Index length(const RecordEntry& entry, const Movement& m, std::size_t records) {
+    const auto of_turns = [&](double turns) {
+      return static_cast<Index>(std::ceil(turns * two_pi / lowest_ * m.thinned_rate()));
+    };
+    Index wanted = cut_.length == SegmentLength::whole ? m.available() : of_turns(decay_turns);
+    if (m.driven && cut_.length != SegmentLength::whole)
+      wanted = std::clamp<Index>(longest_of_several(records), wanted, of_turns(driven_turns));
     const auto length = std::min<Index>(m.available(), std::max(fewest_segment_samples, wanted));
     if (length >= fewest_segment_samples) return length;
     left_out(entry, "shorter than a few turns of the lowest mode");
@@ -173,6 +182,12 @@ class Cutter {
     m.first = cut_.window.band ? 0 : start->sample;  // what has passed a band begins at the release
     m.thinning = std::max<Index>(1, static_cast<Index>(std::floor(two_pi * m.rate_hz / highest_ / wanted_samples)));
     return m;
+  }
+
+  // Samples of a segment, of which all records together hold as many as are compared.
+  Index longest_of_several(std::size_t records) const {
+    const std::size_t of_a_record = (compared_segments + records - 1) / records;
+    return cut_.most_samples / static_cast<Index>(records * of_a_record);
   }
 
   auto piece_of(const Movement& m, Index length, Index piece, Index channel) const {
@@ -278,7 +293,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     const RecordEntry& entry = campaign.records[r];
     const Record record = read(r);
     const std::optional<Movement> movement = cutter.movement(entry, record);
-    const Index length = movement ? cutter.length(entry, *movement) : 0;
+    const Index length = movement ? cutter.length(entry, *movement, records.size()) : 0;
     if (length == 0) continue;
     const Eigen::VectorXd noise = cutter.noise(*movement),
                           excitation_noise = cutter.excitation_noise(entry, *movement);
@@ -286,7 +301,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     for (const Index begin : cutter.starts(*movement, length, noise, excitation_noise, records.size())) {
       Segment segment = cutter.segment(*movement, record, begin, length);
       segment.record = r;
-      segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % 10);
+      segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % folds_of_a_record);
       segment.time_s = began[r] + segment.in_record_s;
       segment.noise_sd = noise;
       segment.excitation_noise_sd = excitation_noise;

@@ -43,6 +43,10 @@ std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level,
 /// needs, and one in three to spare.
 constexpr Index shortest_window = 16;
 
+/// Half periods that follow the largest excursion. Two turns are what a tone is fitted over; a swing of four is
+/// looked for in both directions before one of two is taken for it.
+constexpr std::size_t fewest_halves = 4, halves_at_first = 7;
+
 /// Samples in half a turn: three harmonics lie below half the sample rate. Noise crosses its level every other
 /// sample.
 constexpr double shortest_half = 3;
@@ -73,7 +77,8 @@ double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double ra
 
 namespace {
 
-std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& samples, double rate) {
+std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& samples, double rate,
+                                              std::size_t halves_wanted) {
   if (samples.size() < 64) return std::nullopt;
   // A first level from the last quarter, where the motion is small; the whole-record mean would be pulled by a
   // hold.
@@ -87,7 +92,7 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
     if (std::abs(samples(i) - level) >= 0.99 * largest) last_large = i;
   const std::vector<double> zeros =
       crossings(samples, level, measure_thresholds().zero_level * largest, last_large);
-  if (zeros.size() < 8) return std::nullopt;
+  if (zeros.size() <= halves_wanted) return std::nullopt;
   std::vector<double> halves;
   for (std::size_t i = 0; i + 1 < std::min<std::size_t>(zeros.size(), 13); ++i)
     halves.push_back(zeros[i + 1] - zeros[i]);
@@ -120,14 +125,31 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
   return DecayStart{start, decomposed_frequency(samples.segment(start, window), rate, frequency)};
 }
 
+// A swing whose largest excursions lie in its first turn and in its last one.
+std::optional<DecayStart> swing_that_keeps_its_size(const Eigen::Ref<const VectorXd>& samples, double rate) {
+  if (samples.size() < 64) return std::nullopt;
+  const double level = samples.mean(), largest = (samples.array() - level).abs().maxCoeff();
+  const std::vector<double> zeros = crossings(samples, level, measure_thresholds().zero_level * largest, 0);
+  if (zeros.size() <= fewest_halves) return std::nullopt;
+  const double half = (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
+  const auto turn = static_cast<Index>(2 * half);
+  const auto reaches = [&](const auto& part) { return ((part.array() - level).abs() >= 0.99 * largest).any(); };
+  if (half <= shortest_half || !reaches(samples.head(turn)) || !reaches(samples.tail(turn))) return std::nullopt;
+  const Index window = std::min(samples.size(), std::max(2 * turn, shortest_window));
+  return DecayStart{0, decomposed_frequency(samples.head(window), rate, std::numbers::pi * rate / half)};
+}
+
 }  // namespace
 
 std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& samples, double rate) {
-  if (const auto released = decay_after_release(samples, rate)) return released;
-  // A motion that grows to its largest excursion is a decay backwards, and free from the record's first sample on.
   const VectorXd backwards = samples.reverse();
-  const auto grown = decay_after_release(backwards, rate);
-  return grown ? std::optional(DecayStart{0, grown->frequency}) : std::nullopt;
+  for (const std::size_t halves : {halves_at_first, fewest_halves}) {
+    if (const auto released = decay_after_release(samples, rate, halves)) return released;
+    // A motion that grows to its largest excursion is a decay backwards, and free from the record's first sample
+    // on.
+    if (const auto grown = decay_after_release(backwards, rate, halves)) return DecayStart{0, grown->frequency};
+  }
+  return swing_that_keeps_its_size(samples, rate);
 }
 
 }  // namespace secular

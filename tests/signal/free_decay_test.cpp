@@ -39,6 +39,46 @@ TEST(DecayStart, OfAGrowingMotionIsTheRecordsStart) {
   }
 }
 
+// Of motion that keeps its size any turn may be the largest: one of the last two, too.
+TEST(DecayStart, OfAGrowthOntoASteadySwingIsTheRecordsStart) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(4096);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double turns = static_cast<double>(i) / 21;
+      x(i) = std::tanh(turns / 60) * (1 + 1e-4 * turns) * std::cos(2 * std::numbers::pi * turns) +
+             2e-3 * normal(random);
+    }
+    const auto start = find_decay_start(x, 256);
+    ASSERT_TRUE(start) << seed;
+    EXPECT_EQ(start->sample, 0) << seed;
+  }
+}
+
+// A pendulum that is filmed for a few seconds; a damper that stops the motion within a few turns.
+TEST(DecayStart, IsFoundInFewTurns) {
+  const auto motion = [](double turns, double ratio, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    Eigen::VectorXd x(static_cast<Eigen::Index>(160 * turns));
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / 160;
+      x(i) = std::exp(-ratio * angle) * std::cos(angle) + 2e-3 * normal(random);
+    }
+    return x;
+  };
+  for (unsigned seed = 1; seed <= 10; ++seed)
+    for (const auto& [turns, ratio] : {std::pair{3.2, 0.005}, {2.9, 0.03}, {3.7, 0.0}, {40.3, 0.0}, {12.0, 0.12}}) {
+      const auto start = find_decay_start(motion(turns, ratio, seed), 160);
+      ASSERT_TRUE(start) << turns << ' ' << ratio << ' ' << seed;
+      EXPECT_LT(start->sample, 160) << turns << ' ' << ratio << ' ' << seed;
+      // A start: within half the bandwidth.
+      EXPECT_NEAR(start->frequency / (2 * std::numbers::pi), 1, 0.02 + ratio)
+          << turns << ' ' << ratio << ' ' << seed;
+    }
+}
+
 // Up to three harmonics below half the sample rate, with noise of a twentieth as well.
 TEST(DecayStart, IsFoundWithFewSamplesATurn) {
   for (const double per_turn : {6.5, 7.7, 9.3, 14.0})
