@@ -44,13 +44,23 @@ bool holds_lines(std::span<const double> motion, double rate_hz, double false_al
   return !find_lines(motion, rate_hz, false_alarm).empty();
 }
 
-// Of a falling line the frequency is fitted, to less than a bin; a steady one is told from a multiple by the main
-// lobe. A multiple changes by as many times as its order.
-bool is_multiple(const LeftLine& line, const MovingLine& of, double bin_hz) {
-  if (!(of.frequency_hz > 0)) return false;
+// Of which multiple of the motion's line it may be, 0: of none. Of a falling line the frequency is fitted, to less
+// than a bin; a steady one is told from a multiple by the main lobe. A multiple changes by as many times as its
+// order.
+double order_among_multiples(const LeftLine& line, const MovingLine& of, double bin_hz) {
+  if (!(of.frequency_hz > 0)) return 0;
   const double order = std::max(1.0, std::round(line.frequency_hz / of.frequency_hz));
   return std::abs(line.frequency_hz - order * of.frequency_hz) <
-         (line.rate > 0 ? 1 : lobe_bins) * bin_hz + order * of.change_hz;
+                 (line.rate > 0 ? 1 : lobe_bins) * bin_hz + order * of.change_hz
+             ? order
+             : 0;
+}
+
+// At the first multiple is what the motion itself is off by, whatever its course.
+bool is_made_by(const Line& line, double order, std::span<const double> motion, double rate_hz,
+                double false_alarm) {
+  return holds_lines(motion, rate_hz, false_alarm) &&
+         (order < 2 || !outlasts_products(line, change_between_halves(motion), false_alarm));
 }
 
 // A falling line as it fits best beside nothing else.
@@ -123,8 +133,8 @@ std::vector<LeftLine> find_left_lines(std::span<const double> left, std::span<co
                : fitted_line(Eigen::Map<const VectorXd>(left.data(), static_cast<Index>(left.size())),
                              line.frequency_hz, part_s, rate_hz, 0.5 * false_alarm);
     if (!fresh) return;
-    const MovingLine of = moving_line_of(moving, rate_hz);
-    if (is_multiple(*fresh, of, bin_hz) && (!steady || holds_lines(moving, rate_hz, 0.5 * false_alarm))) return;
+    const double order = order_among_multiples(*fresh, moving_line_of(moving, rate_hz), bin_hz);
+    if (order > 0 && (!steady || is_made_by(line, order, moving, rate_hz, 0.5 * false_alarm))) return;
     found.push_back(*fresh);
   };
   for (const Line& line : find_lines(left, rate_hz, 0.5 * false_alarm))

@@ -15,7 +15,8 @@ struct LeftLine {
 /// Lines in what a model leaves of a record, `left`, beside what it moves itself, `motion` (as many samples), that
 /// no missing term of its equations makes: steady ones over the whole, and ones that are in the first half, fourth,
 /// ... alone, a mode outside of the model that rings (find_lines, at half of the false alarm each). What a term
-/// makes lies at multiples of the motion's own line, as it is in the same samples, and is no sharper than that.
+/// makes lies at multiples of the motion's own line, as it is in the same samples, is no sharper than that, and
+/// falls as the motion does (outlasts_products).
 std::vector<LeftLine> find_left_lines(std::span<const double> left, std::span<const double> motion, double rate_hz,
                                       double false_alarm);
 

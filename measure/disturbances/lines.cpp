@@ -31,18 +31,21 @@ double noise_beside(const std::vector<double>& powers, std::size_t bin) {
 
 // Both halves show the line, and its amplitudes differ by no more than the noise that is beside it in each. The
 // modulus of a line in noise of mean power m has the variance m/2.
-bool is_steady(const std::vector<double> (&halves)[2], std::size_t bin, double false_alarm) {
+void look_at_halves(Line& line, const std::vector<double> (&halves)[2], std::size_t bin, double false_alarm) {
   const std::size_t at = bin / 2;
   double variance = 0, modulus[2] = {};
   for (const int h : {0, 1}) {
     const double noise = noise_beside(halves[h], at);
-    if (!(noise > 0)) return false;
+    if (!(noise > 0)) return;
     variance += 0.5 * noise;
     const double power = std::max({halves[h][at - 1], halves[h][at], halves[h][at + 1]});
-    if (f_upper_tail(power / noise, 2, 2 * side_bins) > false_alarm) return false;
+    if (f_upper_tail(power / noise, 2, 2 * side_bins) > false_alarm) return;
     modulus[h] = std::sqrt(power);
   }
-  return 2 * normal_upper_tail(std::abs(modulus[0] - modulus[1]) / std::sqrt(variance)) > false_alarm;
+  line.first_half = modulus[0];
+  line.second_half = modulus[1];
+  line.half_sd = std::sqrt(0.5 * variance);
+  line.steady = 2 * normal_upper_tail(std::abs(modulus[0] - modulus[1]) / std::sqrt(variance)) > false_alarm;
 }
 
 }  // namespace
@@ -86,11 +89,25 @@ std::vector<Line> find_lines(std::span<const double> samples, double rate, doubl
     const double before = std::log(powers[k - 1]), here = std::log(powers[k]), after = std::log(powers[k + 1]);
     const double offset = 0.5 * (before - after) / (before - 2 * here + after);
     lines.push_back({(static_cast<double>(k) + offset) * rate / static_cast<double>(length),
-                     2 * std::exp(0.5 * (here - 0.25 * (before - after) * offset)) / sum,
-                     is_steady(halves, k, false_alarm)});
+                     2 * std::exp(0.5 * (here - 0.25 * (before - after) * offset)) / sum});
+    look_at_halves(lines.back(), halves, k, false_alarm);
   }
   if (spectrum != nullptr) *spectrum = powers;
   return lines;
+}
+
+double change_between_halves(std::span<const double> motion) {
+  const auto half = static_cast<Eigen::Index>(motion.size() / 2);
+  const Eigen::Map<const Eigen::VectorXd> all(motion.data(), 2 * half);
+  const auto about_mean = [](const auto& part) { return (part.array() - part.mean()).matrix().norm(); };
+  return about_mean(all.tail(half)) / about_mean(all.head(half));
+}
+
+bool outlasts_products(const Line& line, double change, double false_alarm) {
+  if (!line.steady) return false;
+  const double square = change * change,
+               left = (line.second_half - square * line.first_half) * (square < 1 ? 1 : -1);
+  return normal_upper_tail(left / (line.half_sd * std::hypot(1.0, square))) < false_alarm;
 }
 
 double probability_of_no_line(const std::vector<double>& powers, std::size_t bin) {

@@ -10,6 +10,8 @@ struct Line {
   double frequency_hz = 0;
   double amplitude = 0;  ///< peak
   bool steady = false;   ///< as large in the second half of the record as in the first, as far as noise lets see
+  double first_half = 0, second_half = 0,
+         half_sd = 0;  ///< how large there, in one unit, and what noise makes of it
 };
 
 /// Bins of the transform on either side of a line that its main lobe takes under the window that lines are found
@@ -34,6 +36,14 @@ std::vector<double> windowed_powers(std::span<const double> samples, const std::
 /// `spectrum`, if asked for: the powers of all bins.
 std::vector<Line> find_lines(std::span<const double> samples, double rate, double false_alarm,
                              std::vector<double>* spectrum = nullptr);
+
+/// Root mean square of the second half over that of the first, each about its mean.
+double change_between_halves(std::span<const double> motion);
+
+/// What terms of an equation make at multiples of a motion's frequency are powers of the motion: they fall, or
+/// grow, from one half of a record to the other at least as its square. Whether a steady line cannot, beside a
+/// motion that changes by so much, whatever its frequency.
+bool outlasts_products(const Line& line, double change, double false_alarm);
 
 /// Probability that the noise around a bin alone gives as much as the strongest of it and its two neighbours; one
 /// near the ends of the spectrum.

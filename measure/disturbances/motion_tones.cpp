@@ -51,6 +51,7 @@ MotionTones::MotionTones(const SearchedRecord& record) : record_(record), rate_(
     if (tonal && !dwell && !record.is_excitation(c) && line->amplitude > largest_share * channel.rms) {
       largest_share = line->amplitude / channel.rms;
       generators_ = {line->frequency_hz};
+      change_ = change_between_halves(channel.samples);
     }
   }
   if (dwell && generators_.empty() && entry.excitation_frequency_hz)
@@ -114,6 +115,12 @@ bool MotionTones::make(double frequency_hz, const std::vector<double>& others) c
            return has_partner(frequency_hz, generator, others, tolerance_) ||
                   (forced_ && has_weak_partner(frequency_hz, generator));
          });
+}
+
+bool MotionTones::is_outlasted_by(const Line& line) const {
+  return decays_ && outlasts_products(line, change_, record_.level) &&
+         std::none_of(generators_.begin(), generators_.end(),
+                      [&](double generator) { return same(line.frequency_hz, generator, tolerance_); });
 }
 
 bool MotionTones::start_at(double frequency_hz, const std::vector<double>& others, double error_hz) const {

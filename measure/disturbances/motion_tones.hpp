@@ -23,6 +23,8 @@ class MotionTones {
   /// That, or it has a partner among `others`; partners at the sum and the difference with the excitation itself
   /// count down to the noise.
   bool make(double frequency_hz, const std::vector<double>& others) const;
+  /// A steady line, off the motion's own, that no product of a decay can be: these fall.
+  bool is_outlasted_by(const Line& line) const;
   /// A line that dies away at that frequency, known to `error_hz`, is the motion's own start: at a multiple, or
   /// with a partner among `others`.
   bool start_at(double frequency_hz, const std::vector<double>& others, double error_hz) const;
@@ -38,9 +40,9 @@ class MotionTones {
   bool has_weak_partner(double frequency_hz, double of_hz) const;
 
   const SearchedRecord& record_;
-  double rate_ = 0, tolerance_ = 0;
-  bool forced_ = false;             // a dwell
-  bool decays_ = false;             // swings freely: no subharmonics
+  double rate_ = 0, tolerance_ = 0, change_ = 1;  // the last: of a decay's size between halves
+  bool forced_ = false;                           // a dwell
+  bool decays_ = false;                           // swings freely: no subharmonics
   std::vector<double> generators_;  // excitation frequencies of a dwell, the strongest line of a decay
   std::vector<double> excited_;     // other records: lines of the excitation
 };
