@@ -32,12 +32,12 @@ using ColouredNoises = std::map<std::size_t, std::vector<ColouredNoise>>;
 struct Segment;
 
 /// What a segment's readings may hold beside its motion, as columns of its errors (channel after channel), of unit
-/// length: of zeros that wander slow cosines, of tones a cosine and a sine and how they grow. Their sizes are
-/// unknowns of the segment (docs/inference.md (36)).
+/// length: first zeros that wander, the slowest terms first, then of tones a cosine and a sine and how they grow.
+/// Their sizes are unknowns of the segment (docs/inference.md (36)).
 Eigen::MatrixXd foreign_columns(const Segment& segment);
 
-/// How many of them, the last ones, are of tones.
-Eigen::Index tone_count(const Segment& segment);
+/// How many of them, the first ones, so many samples show of zeros.
+Eigen::Index zero_count(const Segment& segment, Eigen::Index samples);
 
 /// What a zero that wanders would do to one response channel of a segment, as columns of its errors.
 Eigen::MatrixXd wander_columns(const Segment& segment, Eigen::Index channel);

@@ -17,12 +17,13 @@ using Eigen::VectorXd;
 
 enum class Errors { wide, true_ones };
 
-// While errors are wide, in which tones are small, zeros alone are fitted as foreign content.
+// While errors are wide, in which tones are small, zeros alone are fitted as foreign content, as far as what counts
+// shows them.
 void take_width(FrozenSegment& f, double coarse, double lowest) {
   const bool wide = coarse > 0;
   f.widening = wide ? widening(f.segment, std::sqrt(coarse)) : 1;
   f.beyond_horizon = wide ? beyond_horizon(f.measured, std::sqrt(coarse), lowest) : 0;
-  f.held = f.may_hold.cols() - (wide ? tone_count(f.segment) : 0);
+  f.held = wide ? zero_count(f.segment, f.horizon()) : f.may_hold.cols();
 }
 
 // States, and what whitens errors about them.

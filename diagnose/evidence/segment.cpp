@@ -34,6 +34,10 @@ constexpr auto& driven_turns = diagnose_thresholds().driven_turns;
 /// Of a segment.
 constexpr auto& fewest_segment_samples = diagnose_thresholds().segment_samples;
 
+/// Of the lowest natural frequency, below which a zero moves: in a segment of six turns there are as many cosines
+/// of its course as terms before them, and four and a half bins between it and the motion.
+constexpr double slow_share = 0.25;
+
 /// Into which a record's segments are dealt out in turn.
 constexpr int folds_of_a_record = 10;
 
@@ -156,6 +160,7 @@ class Cutter {
   Segment segment(const Movement& m, const Record& record, Index begin, Index length) const {
     Segment segment;
     segment.sample_s = 1 / m.thinned_rate();
+    segment.zeros_below_hz = slow_share * lowest_ / two_pi;
     segment.substeps =
         std::max(1, static_cast<int>(std::ceil(wanted_steps * highest_ / two_pi / m.thinned_rate())));
     segment.response.resize(responses_, length);
@@ -307,8 +312,6 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
       segment.excitation_noise_sd = excitation_noise;
       for (std::size_t c = 0; c < sensors.responses.size(); ++c)
         if (cut.wandering.contains(sensors.responses[c])) segment.wandering.push_back(static_cast<Index>(c));
-      segment.begin_in_record = static_cast<double>(begin) / static_cast<double>(movement->available());
-      segment.share_of_record = static_cast<double>(length) / static_cast<double>(movement->available());
       if (const auto tones = cut.tones.find(r); tones != cut.tones.end())
         segment.tones = tones_in(sensors, tones->second);
       if (const auto noises = cut.coloured.find(r); noises != cut.coloured.end())

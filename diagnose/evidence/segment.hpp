@@ -29,7 +29,7 @@ struct Segment {
   std::vector<Eigen::Index> wandering;  ///< response channels whose zero moves slowly
   std::vector<ForeignTone> tones;       ///< in response channels
   std::vector<ColouredNoise> coloured;
-  double begin_in_record = 0, share_of_record = 0;  ///< of the record's time
+  double zeros_below_hz = 0;  ///< what they move with
 };
 
 /// Channels x samples -> channels x (2*samples - 1): values and, by cubic interpolation, those halfway between.
