@@ -1,4 +1,4 @@
-#include "blind/case_files.hpp"
+#include "blind/sealed_files.hpp"
 
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ std::string campaign_head(const Measurement& m, const std::vector<std::string>& 
 }
 
 // Disturbances and noise, then saturation, then the converter.
-void disturb(const SealedCase& c, Random& noise, Random& lot, std::vector<std::vector<double>>& channels) {
+void disturb(const SealedCampaign& c, Random& noise, Random& lot, std::vector<std::vector<double>>& channels) {
   disturb_samples(c.disturbances, lot, channels);
   for (std::size_t i = 0; i < channels.size(); ++i)
     for (double& x : channels[i]) x += c.noise_sd[i] * noise.gaussian();
@@ -108,7 +108,7 @@ std::string csv_text(const std::vector<std::string>& names, const std::vector<st
 
 // Where the files of a campaign go, and what their noise is drawn from.
 struct RecordWriter {
-  const SealedCase& sealed;
+  const SealedCampaign& sealed;
   fs::path campaign;
   Random noise;
   std::uint64_t seed;
@@ -197,7 +197,7 @@ std::string model_text(const Specimen& s, std::uint64_t nominal_seed) {
   return text;
 }
 
-void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder) {
+void write_sealed(const SealedCampaign& c, std::uint64_t seed, const fs::path& folder) {
   const fs::path partial = folder.string() + ".partial";
   std::error_code ignored;
   fs::remove_all(partial, ignored);
@@ -226,7 +226,7 @@ void write_case(const SealedCase& c, std::uint64_t seed, const fs::path& folder)
   fs::rename(partial, folder);
 }
 
-void write_extended_campaign(const SealedCase& c, std::uint64_t seed, const FurtherDwell& further,
+void write_extended_campaign(const SealedCampaign& c, std::uint64_t seed, const FurtherDwell& further,
                              const fs::path& campaign, const fs::path& target) {
   const fs::path partial = target.string() + ".partial";
   std::error_code ignored;
@@ -269,7 +269,7 @@ nlohmann::ordered_json disturbances_json(const Disturbances& d) {
 
 }  // namespace
 
-nlohmann::ordered_json label_of(const SealedCase& c) {
+nlohmann::ordered_json label_of(const SealedCampaign& c) {
   using nlohmann::ordered_json;
   ordered_json label = {{"case", c.plan.number},
                         {"family", c.specimen.family},

@@ -1,4 +1,4 @@
-#include "blind/sealed_case.hpp"
+#include "blind/sealed_campaign.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ constexpr double visible_norm = 4;
 constexpr double hopeless = 0.8, hopeless_at_first = 0.95;
 // One that leaves less is fitted to convergence, together with the model's own parameters.
 constexpr double near = 0.5;
-// A case whose motion grows beyond all bounds is drawn again, from a stream of its own.
+// A campaign whose motion grows beyond all bounds is drawn again, from a stream of its own.
 constexpr std::uint64_t most_redraws = 8, redrawn = 10'000'000;
 // Standard deviations of a chi-squared beyond which it is noticed, once in ten thousand, and by how many it has to
 // exceed that in the mean to be noticed in 95 of 100 campaigns.
@@ -140,8 +140,8 @@ struct SeenChange {
 // Norm of what a rival leaves of a change, with the coefficient that explains most. Its own change is computed
 // again where that has moved: large changes are not proportional to it. Nor do large changes add up: a rival that
 // comes near is fitted together with the model's own parameters.
-double least_left_by(Withheld rival, double raw_sigma, double seen, const SeenChange& truth, const SealedCase& c,
-                     const std::vector<double>& peak) {
+double least_left_by(Withheld rival, double raw_sigma, double seen, const SeenChange& truth,
+                     const SealedCampaign& c, const std::vector<double>& peak) {
   const Signatures& signatures = truth.signatures;
   const Eigen::VectorXd& left = truth.left;
   const bool all = truth.all_ensembles;
@@ -179,9 +179,9 @@ double least_left_by(Withheld rival, double raw_sigma, double seen, const SeenCh
   return std::min(least, signatures.refitted_unexplained(truth.whole, all, with_rival, rival.coefficient).norm());
 }
 
-/// With what explanations of one case are compared.
+/// With what explanations of one campaign are compared.
 struct Comparison {
-  const SealedCase& c;
+  const SealedCampaign& c;
   const Signatures& signatures;
   const std::vector<double>& peak;
   double seen;  // norm below which a change is as good as explained
@@ -219,7 +219,7 @@ void find_look_alikes(Truth& truth, const std::vector<std::string>& rivals, cons
 }
 
 // Moves one to three of the model's own numbers until the response is `target` standard deviations away.
-void move_parameters(SealedCase& c, const Signatures& signatures, double target, Random& random) {
+void move_parameters(SealedCampaign& c, const Signatures& signatures, double target, Random& random) {
   struct Move {
     std::string effect, symbol;
     std::size_t mode;
@@ -266,9 +266,9 @@ Disturbances disturbances_of(const Specimen& specimen, const Levels& levels, Ran
   return draw_disturbances(campaign, random);
 }
 
-SealedCase draw_once(const CasePlan& plan, std::uint64_t seed, std::uint64_t stream) {
+SealedCampaign draw_once(const CampaignPlan& plan, std::uint64_t seed, std::uint64_t stream) {
   Random random(seed, stream);
-  SealedCase c;
+  SealedCampaign c;
   c.plan = plan;
   const std::set<std::string> withheld(plan.effects.begin(), plan.effects.end());
   do {
@@ -306,14 +306,14 @@ bool is_bounded(const Motion& motion) {
                      [](const std::vector<double>& x) { return std::isfinite(x.back()); });
 }
 
-Structure structure_of_record(const SealedCase& c, std::size_t record) {
+Structure structure_of_record(const SealedCampaign& c, std::size_t record) {
   Structure structure = c.reality.structure;
   for (ModeTerms& mode : structure.mode) mode.omega *= c.disturbances.of_record(record).frequency_factor;
   return structure;
 }
 
 // Dwells up to the first one that does not last: a softening force may let go only after the first seconds.
-std::vector<Motion> lasting_motions(const SealedCase& c) {
+std::vector<Motion> lasting_motions(const SealedCampaign& c) {
   std::vector<Motion> motions;
   for (const Dwell& dwell : c.specimen.dwells) {
     Motion motion = dwell_motion(c, dwell, motions.size());
@@ -325,7 +325,7 @@ std::vector<Motion> lasting_motions(const SealedCase& c) {
 
 // Free decays of the first mode, one every 90 s after the last dwell, up to the first one that does not last: they
 // begin beyond every dwell's amplitude, where a softening force may not hold.
-std::vector<Decay> lasting_decays(const SealedCase& c) {
+std::vector<Decay> lasting_decays(const SealedCampaign& c) {
   constexpr std::size_t samples = 3072;
   std::vector<Decay> decays;
   double started = c.specimen.dwells.empty() ? 0 : c.specimen.dwells.back().drive.started;
@@ -354,7 +354,7 @@ std::map<std::string, double> numbers_of(const Specimen& specimen) {
   return numbers;
 }
 
-std::vector<CasePlan> draw_plans(const SetOptions& set) {
+std::vector<CampaignPlan> draw_plans(const SetOptions& set) {
   Random random(set.seed, 0);
   const std::vector<double> noise =
       set.size == SetSize::short_set ? std::vector<double>{40, 30} : std::vector<double>{40, 30, 20, 10};
@@ -364,16 +364,17 @@ std::vector<CasePlan> draw_plans(const SetOptions& set) {
       pairable.push_back(effect);
   random.shuffle(deck);
   random.shuffle(outside);
-  // Of twenty cases eleven have one effect, three none, two are pairs, three lie outside, one has wrong numbers.
+  // Of twenty campaigns eleven have one effect, three none, two are pairs, three lie outside, one has wrong
+  // numbers.
   std::vector<std::string> kinds = {"single", "none",   "single",  "outside", "single",     "pair",  "single",
                                     "none",   "single", "single",  "outside", "single",     "pair",  "single",
                                     "none",   "single", "outside", "single",  "parameters", "single"};
   if (set.nothing_withheld) kinds = {"none"};
-  std::vector<CasePlan> plans;
+  std::vector<CampaignPlan> plans;
   std::size_t singles = 0, outsiders = 0;
-  for (std::size_t i = 0; i < set.cases; ++i) {
+  for (std::size_t i = 0; i < set.campaigns; ++i) {
     if (i % kinds.size() == 0) random.shuffle(kinds);
-    CasePlan plan;
+    CampaignPlan plan;
     plan.number = i + 1;
     plan.kind = kinds[i % kinds.size()];
     if (plan.kind == "single") plan.effects = {deck[singles++ % deck.size()]};
@@ -397,7 +398,7 @@ std::vector<CasePlan> draw_plans(const SetOptions& set) {
   return plans;
 }
 
-std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint64_t seed) {
+std::vector<std::string> rest_that_explains(const SealedCampaign& sealed, std::uint64_t seed) {
   Random random(seed, rest_of_catalogue + sealed.plan.number);
   Truth truth = sealed.truths.front();
   truth.same_as.clear();
@@ -413,7 +414,7 @@ std::vector<std::string> rest_that_explains(const SealedCase& sealed, std::uint6
   return truth.same_as;
 }
 
-Motion dwell_motion(const SealedCase& c, const Dwell& dwell, std::size_t record, std::size_t length) {
+Motion dwell_motion(const SealedCampaign& c, const Dwell& dwell, std::size_t record, std::size_t length) {
   const Drive drive = drive_of(dwell, c.reality);
   const Settling& settling = c.specimen.settling;
   const Structure structure = structure_of_record(c, record);
@@ -422,16 +423,16 @@ Motion dwell_motion(const SealedCase& c, const Dwell& dwell, std::size_t record,
                          settling.substeps);
 }
 
-SealedCase draw_case(const CasePlan& plan, std::uint64_t seed) {
+SealedCampaign draw_campaign(const CampaignPlan& plan, std::uint64_t seed) {
   for (std::uint64_t attempt = 0; attempt <= most_redraws; ++attempt) {
-    SealedCase c = draw_once(plan, seed, plan.number + redrawn * attempt);
+    SealedCampaign c = draw_once(plan, seed, plan.number + redrawn * attempt);
     c.motions = lasting_motions(c);
     if (c.motions.size() < c.specimen.dwells.size()) continue;
     c.decays = lasting_decays(c);
     if (c.decays.size() == c.specimen.decay_starts.size()) return c;
   }
   throw NumericalFailure(Ending::ran_away,
-                         fmt::format("case {} of seed {}: none of its draws stays bounded", plan.number, seed));
+                         fmt::format("campaign {} of seed {}: none of its draws stays bounded", plan.number, seed));
 }
 
 }  // namespace secular::blind
