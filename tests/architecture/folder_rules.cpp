@@ -16,7 +16,7 @@ const FolderTable& folder_table() {
       {"numerics", {}},
       {"effects", {}},
       {"report", {"input"}},
-      {"perturb", {"effects", "input"}},
+      {"perturb", {"effects", "input", "numerics"}},
       {"estimator/model", {}},
       {"generated", {"estimator/model"}},
       {"codegen/canonical", {"input", "perturb"}},
