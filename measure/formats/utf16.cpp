@@ -48,7 +48,7 @@ std::optional<ByteOrder16> utf16_order(std::string_view bytes) {
 std::string utf8_of_utf16(std::string_view bytes, ByteOrder16 order) {
   const auto unit = [&](std::size_t i) -> char32_t {
     const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
-    return order == ByteOrder16::little_endian ? second << 8U | first : first << 8U | second;
+    return static_cast<char32_t>(order == ByteOrder16::little_endian ? second << 8U | first : first << 8U | second);
   };
   std::string text;
   text.reserve(bytes.size() / 2);
