@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "blind/case_files.hpp"
+#include "blind/sealed_files.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::blind {
@@ -22,7 +22,7 @@ fs::path estimate_file(const fs::path& place) {
   return place / "estimate" / "estimate.json";
 }
 
-std::optional<std::string> identify_case(const fs::path& place, const RunOptions& options) {
+std::optional<std::string> identify_sealed(const fs::path& place, const RunOptions& options) {
   const fs::path out = place / "estimate", log = place / "estimate.log";
   std::error_code ignored;
   fs::remove_all(out, ignored);
@@ -36,7 +36,7 @@ std::optional<std::string> identify_case(const fs::path& place, const RunOptions
 }
 
 void add(const std::vector<JudgedNumber>& numbers, NumberShare& share) {
-  ++share.cases;
+  ++share.campaigns;
   for (const JudgedNumber& n : numbers) {
     ++share.asked;
     if (!n.given) continue;
@@ -68,9 +68,9 @@ std::vector<Figure> figures_of(const NumberShare& all, std::size_t beyond) {
 }  // namespace
 
 RunSummary identify_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
-  return run_cases(
+  return run_campaigns(
       folder, options, [](const fs::path& place) { return fs::exists(estimate_file(place)); },
-      [&](const fs::path& place) { return identify_case(place, options); }, progress);
+      [&](const fs::path& place) { return identify_sealed(place, options); }, progress);
 }
 
 std::vector<JudgedNumber> judged_numbers(std::size_t number, const std::map<std::string, double>& truth,
@@ -105,7 +105,7 @@ EstimateScore score_estimates(const fs::path& folder) {
   std::size_t beyond = 0;
   for (const nlohmann::json& label : labels.at("labels")) {
     const std::size_t number = label.at("case").get<std::size_t>();
-    const fs::path file = estimate_file(case_folder(folder, number));
+    const fs::path file = estimate_file(sealed_folder(folder, number));
     nlohmann::json estimate;
     if (fs::exists(file))
       estimate = nlohmann::json::parse(read_text(file));
@@ -113,7 +113,7 @@ EstimateScore score_estimates(const fs::path& folder) {
       score.failed.push_back({number, "no estimate.json"});
     const std::vector<JudgedNumber> numbers =
         judged_numbers(number, label.at("numbers").get<std::map<std::string, double>>(), estimate);
-    ++score.cases;
+    ++score.campaigns;
     add(numbers, all);
     add(numbers, score.by_family[label.at("family").get<std::string>()]);
     const nlohmann::json disturbances = label.value("disturbances", nlohmann::json::object());

@@ -12,7 +12,7 @@ namespace secular::blind {
 
 /// What `identify` says of one of the model's own numbers, beside the truth.
 struct JudgedNumber {
-  std::size_t number = 0;  ///< of the case
+  std::size_t number = 0;  ///< of the campaign
   std::string symbol;
   double truth = 0;
   bool given = false;     ///< it has a value and an error bar
@@ -21,22 +21,22 @@ struct JudgedNumber {
   double off = 0;         ///< from the truth, in its standard deviations
 };
 
-/// What is asked of the numbers of one group of cases: of a family, of a disturbance, of all.
+/// What is asked of the numbers of one group of campaigns: of a family, of a disturbance, of all.
 struct NumberShare {
-  std::size_t cases = 0, asked = 0, given = 0, unmarked = 0, held = 0;  ///< held: of the unmarked ones
-  double largest_off = 0;                                               ///< of the unmarked ones
+  std::size_t campaigns = 0, asked = 0, given = 0, unmarked = 0, held = 0;  ///< held: of the unmarked ones
+  double largest_off = 0;                                                   ///< of the unmarked ones
 };
 
 struct EstimateScore {
-  std::size_t cases = 0;
-  std::vector<FailedCase> failed;
+  std::size_t campaigns = 0;
+  std::vector<FailedCampaign> failed;
   std::vector<Figure> figures;
   std::map<std::string, NumberShare> by_family, by_disturbance;  ///< "none": no disturbance
   std::vector<JudgedNumber> far_off;                             ///< unmarked and by more than 4 sd, furthest first
 };
 
-/// `secular identify` of every case of a set that has no estimate yet, with the case's own model, each in a process
-/// of its own: CASE/estimate/, what it printed in CASE/estimate.log.
+/// `secular identify` of every campaign of a set that has no estimate yet, with the campaign's own model, each in a
+/// process of its own: case_NNNN/estimate/, what it printed in case_NNNN/estimate.log.
 RunSummary identify_set(const std::filesystem::path& folder, const RunOptions& options, const Progress& progress);
 
 /// Reads the contract's estimate.json (section 3) for every symbol in `truth`.

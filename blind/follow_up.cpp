@@ -7,8 +7,8 @@
 #include <optional>
 #include <system_error>
 
-#include "blind/case_files.hpp"
 #include "blind/random.hpp"
+#include "blind/sealed_files.hpp"
 
 namespace secular::blind {
 namespace {
@@ -55,16 +55,16 @@ fs::path follow_up_folder(const fs::path& place, const std::string& which) {
 FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
   const Diagnoser diagnoser(options);
-  const std::vector<CasePlan> plans = draw_plans(set);
+  const std::vector<CampaignPlan> plans = draw_plans(set);
   FollowUpSummary summary;
   Failures failures;
   std::atomic<std::size_t> done{0}, sets{0}, proposed{0};
   in_parallel(plans.size(), options.threads, [&](std::size_t i) {
-    const fs::path place = case_folder(folder, plans[i].number), first = place / "diagnosis" / "diagnosis.json";
+    const fs::path place = sealed_folder(folder, plans[i].number), first = place / "diagnosis" / "diagnosis.json";
     const nlohmann::json diagnosis =
         fs::exists(first) ? nlohmann::json::parse(read_text(first), nullptr, false) : nlohmann::json();
     if (diagnosis.is_object() && diagnosis.value("verdict", "") == "set") {
-      const SealedCase sealed = draw_case(plans[i], set.seed);
+      const SealedCampaign sealed = draw_campaign(plans[i], set.seed);
       const std::optional<FurtherDwell> proposal = proposal_of(diagnosis, sealed.specimen.dwells.size());
       ++sets;
       if (proposal) ++proposed;

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "blind/case_files.hpp"
-#include "blind/sealed_case.hpp"
+#include "blind/sealed_campaign.hpp"
+#include "blind/sealed_files.hpp"
 
 namespace secular::blind {
 
@@ -22,19 +22,19 @@ fs::path look_alikes_file(const fs::path& place) {
 LeaveOutSummary leave_out_of_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
   const Diagnoser diagnoser(options);
-  const std::vector<CasePlan> plans = draw_plans(set);
+  const std::vector<CampaignPlan> plans = draw_plans(set);
   LeaveOutSummary summary;
   Failures failures;
-  std::atomic<std::size_t> done{0}, cases{0}, kept{0};
+  std::atomic<std::size_t> done{0}, campaigns{0}, kept{0};
   in_parallel(plans.size(), options.threads, [&](std::size_t i) {
-    const fs::path place = case_folder(folder, plans[i].number), out = left_out_folder(place);
+    const fs::path place = sealed_folder(folder, plans[i].number), out = left_out_folder(place);
     if (plans[i].kind == "single") {
       const bool complete = fs::exists(out / "diagnosis" / "diagnosis.json") && fs::exists(look_alikes_file(place));
-      ++cases;
+      ++campaigns;
       if (complete) ++kept;
       if (!complete) {
         fs::create_directories(out);
-        const SealedCase sealed = draw_case(plans[i], set.seed);
+        const SealedCampaign sealed = draw_campaign(plans[i], set.seed);
         write_text(look_alikes_file(place), nlohmann::json(rest_that_explains(sealed, set.seed)).dump() + "\n");
         if (const std::optional<std::string> fault =
                 diagnoser.run(place, place / "campaign", out, plans[i].effects))
@@ -43,7 +43,7 @@ LeaveOutSummary leave_out_of_set(const fs::path& folder, const RunOptions& optio
     }
     if (progress) progress(++done, plans.size());
   });
-  summary.cases = cases;
+  summary.campaigns = campaigns;
   summary.kept = kept;
   summary.failed = failures.by_number();
   return summary;

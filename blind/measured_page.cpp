@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "blind/case_files.hpp"
 #include "blind/measured_score.hpp"
+#include "blind/sealed_files.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::blind {

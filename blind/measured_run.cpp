@@ -5,7 +5,7 @@
 #include <optional>
 #include <system_error>
 
-#include "blind/case_files.hpp"
+#include "blind/sealed_files.hpp"
 #include "input/child_process.hpp"
 #include "input/input_error.hpp"
 #include "input/toml_table.hpp"

@@ -8,7 +8,8 @@
 namespace secular::blind {
 
 /// A stream of random numbers that depends on its seed and number alone, the same for any number of threads.
-/// Numbers by splitmix64 (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014).
+/// Numbers by splitmix64 (G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014), written here once more: the check shares
+/// no code with what it checks.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t stream);

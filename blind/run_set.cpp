@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "blind/case_files.hpp"
+#include "blind/sealed_files.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::blind {
@@ -83,28 +83,28 @@ void Failures::add(std::size_t number, std::string reason) {
   failed_.push_back({number, std::move(reason)});
 }
 
-std::vector<FailedCase> Failures::by_number() {
+std::vector<FailedCampaign> Failures::by_number() {
   const std::lock_guard lock(guard_);
   std::stable_sort(failed_.begin(), failed_.end(),
-                   [](const FailedCase& a, const FailedCase& b) { return a.number < b.number; });
+                   [](const FailedCampaign& a, const FailedCampaign& b) { return a.number < b.number; });
   return failed_;
 }
 
-RunSummary run_cases(const fs::path& folder, const RunOptions& options,
-                     const std::function<bool(const fs::path&)>& has_result,
-                     const std::function<std::optional<std::string>(const fs::path&)>& run,
-                     const Progress& progress) {
+RunSummary run_campaigns(const fs::path& folder, const RunOptions& options,
+                         const std::function<bool(const fs::path&)>& has_result,
+                         const std::function<std::optional<std::string>(const fs::path&)>& run,
+                         const Progress& progress) {
   RunSummary summary;
-  summary.cases = count_of_cases(folder);
+  summary.campaigns = count_of_campaigns(folder);
   Failures failures;
   std::atomic<std::size_t> done{0}, kept{0};
-  in_parallel(summary.cases, options.threads, [&](std::size_t i) {
-    const fs::path place = case_folder(folder, i + 1);
+  in_parallel(summary.campaigns, options.threads, [&](std::size_t i) {
+    const fs::path place = sealed_folder(folder, i + 1);
     if (has_result(place))
       ++kept;
     else if (const std::optional<std::string> fault = run(place))
       failures.add(i + 1, *fault);
-    if (progress) progress(++done, summary.cases);
+    if (progress) progress(++done, summary.campaigns);
   });
   summary.kept = kept;
   summary.failed = failures.by_number();
@@ -117,7 +117,7 @@ unsigned threads_of_each(const RunOptions& options) {
 
 RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const Diagnoser diagnoser(options);
-  return run_cases(
+  return run_campaigns(
       folder, options,
       [](const fs::path& place) {
         return fs::exists(place / "diagnosis" / "diagnosis.json") && fs::exists(place / "run.json");

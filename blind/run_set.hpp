@@ -15,11 +15,11 @@ namespace secular::blind {
 
 struct RunOptions {
   std::filesystem::path program;  ///< the `secular` that is checked
-  unsigned threads = 1;           ///< cases at once
-  double limit_s = 300;           ///< wall time of a case
+  unsigned threads = 1;           ///< campaigns at once
+  double limit_s = 300;           ///< wall time of a campaign
 };
 
-struct FailedCase {
+struct FailedCampaign {
   std::size_t number = 0;
   std::string reason;  ///< "exit status 2: message"
 };
@@ -28,26 +28,26 @@ struct FailedCase {
 class Failures {
  public:
   void add(std::size_t number, std::string reason);
-  std::vector<FailedCase> by_number();
+  std::vector<FailedCampaign> by_number();
 
  private:
   std::mutex guard_;
-  std::vector<FailedCase> failed_;
+  std::vector<FailedCampaign> failed_;
 };
 
 struct RunSummary {
-  std::size_t cases = 0, kept = 0;  ///< kept: had a diagnosis before
-  std::vector<FailedCase> failed;
+  std::size_t campaigns = 0, kept = 0;  ///< kept: had a diagnosis before
+  std::vector<FailedCampaign> failed;
 };
 
-/// Runs every case of a set that has no result yet, several at once. `has_result` and `run` are given the case's
-/// folder and may be called by any thread; `run` returns what went wrong, if anything did.
-RunSummary run_cases(const std::filesystem::path& folder, const RunOptions& options,
-                     const std::function<bool(const std::filesystem::path&)>& has_result,
-                     const std::function<std::optional<std::string>(const std::filesystem::path&)>& run,
-                     const Progress& progress);
+/// Runs every campaign of a set that has no result yet, several at once. `has_result` and `run` are given the
+/// campaign's folder and may be called by any thread; `run` returns what went wrong, if anything did.
+RunSummary run_campaigns(const std::filesystem::path& folder, const RunOptions& options,
+                         const std::function<bool(const std::filesystem::path&)>& has_result,
+                         const std::function<std::optional<std::string>(const std::filesystem::path&)>& run,
+                         const Progress& progress);
 
-/// Threads that each of the cases at once may use.
+/// Threads that each of the campaigns at once may use.
 unsigned threads_of_each(const RunOptions& options);
 
 /// What `PROGRAM diagnose --help` prints; nothing where the program has no such command.
@@ -67,7 +67,7 @@ class Diagnoser {
   /// Throws InputError where the program has no such command.
   explicit Diagnoser(const RunOptions& options);
 
-  /// Diagnoses `campaign` with model and numbers of the case at `place`: OUT/diagnosis/, what it printed in
+  /// Diagnoses `campaign` with model and numbers of the sealed one at `place`: OUT/diagnosis/, what it printed in
   /// OUT/diagnosis.log, how it ended in OUT/run.json. Returns what went wrong, if anything did.
   /// `without`: effects that the diagnosis must not consider.
   std::optional<std::string> run(const std::filesystem::path& place, const std::filesystem::path& campaign,
@@ -82,8 +82,8 @@ class Diagnoser {
   std::vector<std::string> threads_;
 };
 
-/// `secular diagnose` of every case of a set that has no diagnosis yet, each in a process of its own:
-/// CASE/diagnosis/, what it printed in CASE/diagnosis.log, how it ended in CASE/run.json.
+/// `secular diagnose` of every campaign of a set that has no diagnosis yet, each in a process of its own:
+/// case_NNNN/diagnosis/, what it printed in case_NNNN/diagnosis.log, how it ended in case_NNNN/run.json.
 RunSummary run_set(const std::filesystem::path& folder, const RunOptions& options, const Progress& progress);
 
 }  // namespace secular::blind

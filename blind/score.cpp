@@ -102,7 +102,7 @@ std::string named_text(const Said& said) {
   return said.cause;
 }
 
-// What a case's outcome should have been.
+// What a campaign's outcome should have been.
 bool right(const Label& label, const Said& said) {
   if (said.verdict == "failed") return false;
   if (label.kind == "none") return said.verdict == "no_gap";
@@ -346,7 +346,7 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
   std::vector<Label> labels;
   for (const json& label : sealed.at("labels")) labels.push_back(read_label(label));
   Score score;
-  score.cases = labels.size();
+  score.campaigns = labels.size();
   Tally tally;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Label& label = labels[i];
@@ -356,7 +356,7 @@ Score score_of(const json& sealed, const std::vector<Said>& said) {
     ++score.confusion[truth_text(label)][named_text(s)];
     if (s.verdict == "failed") ++score.failed;
     for (const std::string& kind : label.disturbances) {
-      ++score.by_disturbance[kind].cases;
+      ++score.by_disturbance[kind].campaigns;
       if (as_it_should) ++score.by_disturbance[kind].right;
     }
     if (as_it_should) continue;

@@ -34,13 +34,13 @@ struct CalibrationBin {
   std::size_t stated = 0, right = 0;
 };
 
-/// How often cases that bear one kind of disturbance ended as they should have.
+/// How often campaigns that bear one kind of disturbance ended as they should have.
 struct DisturbedShare {
-  std::size_t cases = 0, right = 0;
+  std::size_t campaigns = 0, right = 0;
 };
 
-/// A case that did not end as it should have.
-struct WrongCase {
+/// A campaign that did not end as it should have.
+struct WrongCampaign {
   std::size_t number = 0;
   std::string truth, named, family;
   std::vector<std::string> disturbances;
@@ -48,15 +48,15 @@ struct WrongCase {
 };
 
 struct Score {
-  std::size_t cases = 0, failed = 0;
+  std::size_t campaigns = 0, failed = 0;
   std::vector<Figure> figures;
-  std::map<std::string, std::map<std::string, std::size_t>> confusion;  ///< truth -> named -> cases
+  std::map<std::string, std::map<std::string, std::size_t>> confusion;  ///< truth -> named -> campaigns
   std::vector<CalibrationBin> calibration;
   std::map<std::string, DisturbedShare> by_disturbance;  ///< kind -> ...
-  std::vector<WrongCase> wrong;
+  std::vector<WrongCampaign> wrong;
 };
 
-/// What a diagnosis said of one case. A case without (whole) diagnosis has verdict "failed".
+/// What a diagnosis said of one campaign. A campaign without (whole) diagnosis has verdict "failed".
 struct Said {
   std::string verdict = "failed";
   std::string cause;                                              ///< of the largest probability
@@ -78,7 +78,7 @@ struct Said {
 /// Reads the contract's diagnosis.json (section 6); a document that does not follow it gives verdict "failed".
 Said what_was_said(const nlohmann::json& diagnosis);
 
-/// Compares `labels.at("labels")` with what was said of each case, in their order.
+/// Compares `labels.at("labels")` with what was said of each campaign, in their order.
 Score score_of(const nlohmann::json& labels, const std::vector<Said>& said);
 
 /// A list, each with its 95 % interval, trials and target; a table of the same, `trials`: of what.

@@ -29,20 +29,21 @@ ordered_json finite_or_null(double value) {
 std::string disturbances_markdown(const Score& score) {
   if (score.by_disturbance.empty()) return "";
   std::string text =
-      "\n## Disturbances\n\nA case bears up to three; it counts for each of them.\n\n"
-      "| disturbance | cases | as they should be | 95 % interval |\n|---|---|---|---|\n";
+      "\n## Disturbances\n\nA campaign bears up to three; it counts for each of them.\n\n"
+      "| disturbance | campaigns | as they should be | 95 % interval |\n|---|---|---|---|\n";
   for (const auto& [kind, share] : score.by_disturbance) {
-    const Interval ci = wilson(share.right, share.cases);
-    text += fmt::format("| {} | {} | {} | {:.3f} to {:.3f} |\n", kind, share.cases, share.right, ci.low, ci.high);
+    const Interval ci = wilson(share.right, share.campaigns);
+    text +=
+        fmt::format("| {} | {} | {} | {:.3f} to {:.3f} |\n", kind, share.campaigns, share.right, ci.low, ci.high);
   }
   return text;
 }
 
 std::string wrong_markdown(const Score& score) {
   std::string text =
-      "\n## Cases that went wrong\n\n| case | family | truth | sigma | SNR, dB | disturbances | named "
+      "\n## Campaigns that went wrong\n\n| campaign | family | truth | sigma | SNR, dB | disturbances | named "
       "|\n|---|---|---|---|---|---|---|\n";
-  for (const WrongCase& w : score.wrong)
+  for (const WrongCampaign& w : score.wrong)
     text += fmt::format("| {} | {} | {} | {:.1f} | {:.0f} | {} | {} |\n", w.number, w.family, w.truth, w.sigma,
                         w.snr_db, fmt::join(w.disturbances, ", "), w.named);
   return text;
@@ -84,7 +85,7 @@ ordered_json score_json(const Score& score) {
                     {"mean_stated", b.mean_stated},
                     {"stated", b.stated},
                     {"right", b.right}});
-  for (const WrongCase& w : score.wrong)
+  for (const WrongCampaign& w : score.wrong)
     wrong.push_back({{"case", w.number},
                      {"truth", w.truth},
                      {"named", w.named},
@@ -94,9 +95,9 @@ ordered_json score_json(const Score& score) {
                      {"snr_db", w.snr_db}});
   ordered_json disturbed = ordered_json::object();
   for (const auto& [kind, share] : score.by_disturbance)
-    disturbed[kind] = {{"cases", share.cases}, {"right", share.right}};
+    disturbed[kind] = {{"cases", share.campaigns}, {"right", share.right}};
   return {{"schema", 1},
-          {"cases", score.cases},
+          {"cases", score.campaigns},
           {"failed", score.failed},
           {"figures", figures_json(score.figures)},
           {"confusion", score.confusion},
@@ -106,11 +107,11 @@ ordered_json score_json(const Score& score) {
 }
 
 std::string score_markdown(const Score& score, const std::string& set_name) {
-  std::string text = fmt::format("# Blind check: {}\n\n{} cases, {} without a diagnosis.\n\n## Figures\n\n",
-                                 set_name, score.cases, score.failed);
-  text += figures_markdown(score.figures, "cases");
+  std::string text = fmt::format("# Blind check: {}\n\n{} campaigns, {} without a diagnosis.\n\n## Figures\n\n",
+                                 set_name, score.campaigns, score.failed);
+  text += figures_markdown(score.figures, "campaigns");
   text += "\n## Truth and what was named\n\nThe named cause is the one of the largest probability.\n\n";
-  text += "| truth | cases | named (cases) |\n|---|---|---|\n";
+  text += "| truth | campaigns | named (campaigns) |\n|---|---|---|\n";
   for (const auto& [truth, row] : score.confusion) {
     std::vector<std::pair<std::string, std::size_t>> named(row.begin(), row.end());
     std::stable_sort(named.begin(), named.end(), [](const auto& a, const auto& b) { return a.second > b.second; });

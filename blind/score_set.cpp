@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "blind/case_files.hpp"
 #include "blind/follow_up.hpp"
 #include "blind/leave_out.hpp"
+#include "blind/sealed_files.hpp"
 #include "blind/sealed_set.hpp"
 
 namespace secular::blind {
@@ -49,7 +49,7 @@ Score score_set(const fs::path& folder) {
   const nlohmann::json labels = read_labels(folder);
   std::vector<Said> said;
   for (const nlohmann::json& label : labels.at("labels"))
-    said.push_back(said_of(case_folder(folder, label.at("case").get<std::size_t>())));
+    said.push_back(said_of(sealed_folder(folder, label.at("case").get<std::size_t>())));
   return score_of(labels, said);
 }
 
@@ -62,7 +62,7 @@ void write_score(const Score& score, const std::string& set_name, const fs::path
 
 std::string name_of_set(const fs::path& folder) {
   const nlohmann::json labels = read_labels(folder);
-  return fmt::format("{} set of {} cases, seed {}{}", labels.at("set").get<std::string>(),
+  return fmt::format("{} set of {} campaigns, seed {}{}", labels.at("set").get<std::string>(),
                      labels.at("cases").get<std::size_t>(), labels.at("seed").get<std::uint64_t>(),
                      labels.value("disturbed", false) ? ", disturbed records" : "") +
          (labels.value("nothing_withheld", false) ? ", nothing withheld" : "");

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "blind/case_files.hpp"
+#include "blind/sealed_files.hpp"
 #include "blind/sha256.hpp"
 #include "input/input_error.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-// Labels of cases that are made, until all of them are sealed.
+// Labels of campaigns that are made, until all of them are sealed.
 fs::path unsealed(const fs::path& folder) {
   return folder / "unsealed";
 }
@@ -30,20 +30,21 @@ ordered_json heading(const SetOptions& options) {
   ordered_json head = {{"schema", 1},
                        {"seed", options.seed},
                        {"set", options.size == SetSize::short_set ? "short" : "full"},
-                       {"cases", options.cases}};
+                       {"cases", options.campaigns}};
   if (options.disturbed) head["disturbed"] = true;
   if (options.nothing_withheld) head["nothing_withheld"] = true;
   return head;
 }
 
 [[noreturn]] void refuse_other_set(const fs::path& folder) {
-  throw InputError(folder.string(), "", "holds another set of cases",
-                   "name a new folder, or give the seed, the size and the number of cases that it was made with");
+  throw InputError(
+      folder.string(), "", "holds another set of campaigns",
+      "name a new folder, or give the seed, the size and the number of campaigns that it was made with");
 }
 
 }  // namespace
 
-fs::path case_folder(const fs::path& folder, std::size_t number) {
+fs::path sealed_folder(const fs::path& folder, std::size_t number) {
   return folder / fmt::format("case_{:04}", number);
 }
 
@@ -51,10 +52,10 @@ SetOptions options_of(const fs::path& folder) {
   const nlohmann::json head = nlohmann::json::parse(read_text(folder / "set.json"), nullptr, false);
   const auto is_count = [&](const char* key) { return head.contains(key) && head[key].is_number_unsigned(); };
   if (!fs::exists(folder / "labels.sha256") || !head.is_object() || !is_count("cases") || !is_count("seed"))
-    throw InputError(folder.string(), "", "is not a complete set of cases",
+    throw InputError(folder.string(), "", "is not a complete set of campaigns",
                      "a folder for which `secular blind generate` came to its end");
   SetOptions options;
-  options.cases = head["cases"].get<std::size_t>();
+  options.campaigns = head["cases"].get<std::size_t>();
   options.seed = head["seed"].get<std::uint64_t>();
   options.size = head.value("set", "") == "short" ? SetSize::short_set : SetSize::full_set;
   options.disturbed = head.value("disturbed", false);
@@ -62,8 +63,8 @@ SetOptions options_of(const fs::path& folder) {
   return options;
 }
 
-std::size_t count_of_cases(const fs::path& folder) {
-  return options_of(folder).cases;
+std::size_t count_of_campaigns(const fs::path& folder) {
+  return options_of(folder).campaigns;
 }
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
@@ -110,17 +111,17 @@ void generate_set(const fs::path& folder, const SetOptions& options, const Progr
     write_text(begun, head.dump() + "\n");
   }
   fs::create_directories(unsealed(folder));
-  const std::vector<CasePlan> plans = draw_plans(options);
+  const std::vector<CampaignPlan> plans = draw_plans(options);
   std::vector<ordered_json> labels(plans.size());
   std::atomic<std::size_t> done{0};
   in_parallel(plans.size(), options.threads, [&](std::size_t i) {
     const fs::path label = unsealed(folder) / fmt::format("{:04}.json", plans[i].number);
-    const fs::path target = case_folder(folder, plans[i].number);
+    const fs::path target = sealed_folder(folder, plans[i].number);
     if (fs::exists(label) && fs::exists(target)) {
       labels[i] = ordered_json::parse(read_text(label));
     } else {
-      const SealedCase sealed = draw_case(plans[i], options.seed);
-      write_case(sealed, options.seed, target);
+      const SealedCampaign sealed = draw_campaign(plans[i], options.seed);
+      write_sealed(sealed, options.seed, target);
       labels[i] = label_of(sealed);
       write_text(label, labels[i].dump() + "\n");
     }

@@ -6,28 +6,29 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
-#include "blind/sealed_case.hpp"
+#include "blind/sealed_campaign.hpp"
 
 namespace secular::blind {
 
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Makes FOLDER/case_0001/ ... and seals their labels: labels.json and the hash of its bytes in labels.sha256. The
-/// same options give the same bytes for any number of threads. Cases that are complete are kept. Throws InputError
-/// where the folder holds another set.
+/// same options give the same bytes for any number of threads. Campaigns that are complete are kept. Throws
+/// InputError where the folder holds another set.
 void generate_set(const std::filesystem::path& folder, const SetOptions& options, const Progress& progress);
 
 /// The labels of a set. Throws InputError where they are not the ones that were sealed.
 nlohmann::json read_labels(const std::filesystem::path& folder);
 
-/// How many cases a sealed set has; its labels stay closed. Throws InputError where the folder holds no sealed set.
-std::size_t count_of_cases(const std::filesystem::path& folder);
+/// How many campaigns a sealed set has; its labels stay closed. Throws InputError where the folder holds no sealed
+/// set.
+std::size_t count_of_campaigns(const std::filesystem::path& folder);
 
 /// What a sealed set was made with. Throws InputError where the folder holds none.
 SetOptions options_of(const std::filesystem::path& folder);
 
 /// FOLDER/case_0001
-std::filesystem::path case_folder(const std::filesystem::path& folder, std::size_t number);
+std::filesystem::path sealed_folder(const std::filesystem::path& folder, std::size_t number);
 
 /// Calls `work` for 0 .. count - 1 on several threads; the first exception is thrown again here.
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);

@@ -59,7 +59,7 @@ struct DiagnoseThresholds {
   double ensemble_turns = 12;
   double largest_drift = 0.05;
   double left_in_the_second_half = 0.05;
-  double near_resonance = 0.12;
+  double resonant_reach = 0.12;
   double trusted_share = 1e-5;
   double decay_turns = 6;
   double driven_turns = 40;

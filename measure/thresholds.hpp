@@ -66,7 +66,7 @@ struct MeasureThresholds {
   double bins_from_constant = 2;
   double near_harmonic = 0.15;
   double still_the_mode = 0.5;
-  double resonance_width = 0.1;
+  double largest_detuning = 0.1;
   double decay_search_range = 0.15;
   double trivial_branch_sd = 8;
   double separate_tone_bins = 2;

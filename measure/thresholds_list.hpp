@@ -187,7 +187,7 @@ inline constexpr std::array measure_threshold_list = {
                                  "bins of the shortest window",
                                  "a tone farther from where a mode was expected is another motion",
                                  "no record of the draws", "observe/decay_window.cpp"},
-    Threshold<MeasureThresholds>{"resonance_width", &MeasureThresholds::resonance_width, ThresholdKind::tuned,
+    Threshold<MeasureThresholds>{"largest_detuning", &MeasureThresholds::largest_detuning, ThresholdKind::tuned,
                                  "relative", "a dwell belongs to a resonance",
                                  "detuning that an expansion counts as small",
                                  "app/shared/record_assignment.cpp, observe/dwell_observation.cpp, "

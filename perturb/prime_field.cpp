@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "numerics/splitmix64.hpp"
+
 namespace secular {
 namespace {
 
@@ -15,13 +17,6 @@ PrimeFieldComplex rational(const GiNaC::numeric& value) {
   const PrimeFieldComplex numerator(residue(value.numer()), std::uint64_t{0});
   if (value.is_integer()) return numerator;
   return numerator * PrimeFieldComplex(residue(value.denom()), std::uint64_t{0}).inverse();
-}
-
-std::uint64_t scrambled(std::uint64_t x) {  // splitmix64
-  x += 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
 }
 
 }  // namespace
@@ -51,8 +46,8 @@ PrimeFieldComplex PrimeFieldComplex::inverse() const {
 }
 
 PrimeFieldComplex random_value(const std::string& name, std::uint64_t draw) {
-  std::uint64_t hash = scrambled(draw + 0x5ec01a5ULL);
-  for (const char c : name) hash = scrambled(hash ^ static_cast<unsigned char>(c));
+  std::uint64_t hash = splitmix64(draw + 0x5ec01a5ULL);
+  for (const char c : name) hash = splitmix64(hash ^ static_cast<unsigned char>(c));
   return {hash >> 3, std::uint64_t{0}};
 }
 

@@ -46,11 +46,12 @@ auto Substitution<Arithmetic>::residual(std::size_t k) -> Polynomial {
 }
 
 template <class Arithmetic>
-std::vector<std::complex<double>> Substitution<Arithmetic>::amplitudes() const requires Arithmetic::floating {
+std::vector<std::complex<double>> Substitution<Arithmetic>::amplitudes() const {
   std::vector<std::complex<double>> values;
-  for (const Mode& mode : model_.modes)
-    values.push_back(std::polar(arithmetic_.symbol("abs " + mode.coordinate).real(),
-                                2 * std::numbers::pi * arithmetic_.symbol("arg " + mode.coordinate).real()));
+  if constexpr (Arithmetic::floating)
+    for (const Mode& mode : model_.modes)
+      values.push_back(std::polar(arithmetic_.symbol("abs " + mode.coordinate).real(),
+                                  2 * std::numbers::pi * arithmetic_.symbol("arg " + mode.coordinate).real()));
   return values;
 }
 

@@ -27,8 +27,9 @@ class Substitution {
   Polynomial residual(std::size_t k);
   /// Whether any residual so far had a nonsmooth term with a Fourier series.
   bool nonsmooth() const { return nonsmooth_; }
-  /// Random A_k at which nonsmooth terms are evaluated.
-  std::vector<std::complex<double>> amplitudes() const requires Arithmetic::floating;
+  /// Random A_k at which nonsmooth terms are evaluated; exact arithmetic has none. (No requires-clause: clang 14
+  /// instantiates the function all the same.)
+  std::vector<std::complex<double>> amplitudes() const;
 
  private:
   // A value with its derivatives by the varied mode's coordinate and velocity (Lagrange's equations).

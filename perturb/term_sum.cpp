@@ -190,7 +190,7 @@ class TermReader {
   // parameters.
   TermSum nonsmooth(bool absolute, const TermSum& inside, const SourcePlace& place) {
     const Factor::Kind kind = absolute ? Factor::Kind::absolute : Factor::Kind::sign;
-    const auto unsupported = [&] [[noreturn]] () {
+    const auto unsupported = [&] {
       fail_at(source_, place, "nonsmooth function of something else than coordinates, velocities and parameters",
               "its argument is a sum of numbers times v, D(v) or a parameter");
     };

@@ -26,7 +26,7 @@ namespace {
 
 struct BlindArguments {
   std::string folder, set = "short", page = "docs/blind_check", program;
-  std::size_t cases = 0;
+  std::size_t campaigns = 0;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   double limit_s = 300;
@@ -41,14 +41,14 @@ struct BlindArguments {
 void generate(const BlindArguments& options) {
   blind::SetOptions set;
   set.size = options.set == "full" ? blind::SetSize::full_set : blind::SetSize::short_set;
-  set.cases = options.cases > 0 ? options.cases : options.set == "full" ? 1000 : 60;
+  set.campaigns = options.campaigns > 0 ? options.campaigns : options.set == "full" ? 1000 : 60;
   set.seed = options.seed;
   set.threads = options.threads;
   set.disturbed = options.disturbed;
   set.nothing_withheld = options.nothing_withheld;
-  ProgressLine line("cases made");
+  ProgressLine line("campaigns made");
   blind::generate_set(options.folder, set, [&line](std::size_t done, std::size_t total) { line(done, total); });
-  fmt::print("{} cases in {}, labels sealed\n", set.cases, options.folder);
+  fmt::print("{} campaigns in {}, labels sealed\n", set.campaigns, options.folder);
 }
 
 blind::RunOptions run_options(const BlindArguments& options) {
@@ -60,8 +60,9 @@ blind::RunOptions run_options(const BlindArguments& options) {
   return how;
 }
 
-void print_failed(const std::vector<blind::FailedCase>& cases) {
-  for (const blind::FailedCase& failed : cases) fmt::print("  case {:04}: {}\n", failed.number, failed.reason);
+void print_failed(const std::vector<blind::FailedCampaign>& campaigns) {
+  for (const blind::FailedCampaign& failed : campaigns)
+    fmt::print("  campaign {:04}: {}\n", failed.number, failed.reason);
 }
 
 void follow(const BlindArguments& options) {
@@ -76,12 +77,13 @@ void follow(const BlindArguments& options) {
 using RunOfSet = blind::RunSummary (*)(const std::filesystem::path&, const blind::RunOptions&,
                                        const blind::Progress&);
 
-// Every case through one command. `done`: what is done to them, in the past tense.
+// Every campaign through one command. `done`: what is done to them, in the past tense.
 void run_all(const BlindArguments& options, RunOfSet run_of_set, const std::string& done) {
-  ProgressLine line("cases " + done);
+  ProgressLine line("campaigns " + done);
   const blind::RunSummary summary = run_of_set(options.folder, run_options(options),
                                                [&line](std::size_t made, std::size_t total) { line(made, total); });
-  fmt::print("{} cases, {} {} before, {} failed\n", summary.cases, summary.kept, done, summary.failed.size());
+  fmt::print("{} campaigns, {} {} before, {} failed\n", summary.campaigns, summary.kept, done,
+             summary.failed.size());
   print_failed(summary.failed);
 }
 
@@ -93,8 +95,8 @@ void leave_out(const BlindArguments& options) {
   ProgressLine line("effects left out");
   const blind::LeaveOutSummary summary = blind::leave_out_of_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
-  fmt::print("{} cases without their effect in the catalogue, {} diagnosed before, {} failed\n", summary.cases,
-             summary.kept, summary.failed.size());
+  fmt::print("{} campaigns without their effect in the catalogue, {} diagnosed before, {} failed\n",
+             summary.campaigns, summary.kept, summary.failed.size());
   print_failed(summary.failed);
 }
 
@@ -110,9 +112,9 @@ void print_figures(const std::vector<blind::Figure>& figures, const char* trials
 void score(const BlindArguments& options) {
   const blind::Score score = blind::score_set(options.folder);
   blind::write_score(score, blind::name_of_set(options.folder), options.page);
-  print_figures(score.figures, "cases");
-  fmt::print("{} of {} cases went wrong, {} without a diagnosis; see {}/score.md\n", score.wrong.size(),
-             score.cases, score.failed, options.page);
+  print_figures(score.figures, "campaigns");
+  fmt::print("{} of {} campaigns went wrong, {} without a diagnosis; see {}/score.md\n", score.wrong.size(),
+             score.campaigns, score.failed, options.page);
 }
 
 void estimates(const BlindArguments& options) {
@@ -142,7 +144,7 @@ void measured(const BlindArguments& options) {
 }
 
 void add_set_options(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
-  command->add_option("--cases", options->cases, "how many; without it 60 (short) or 1000 (full)")
+  command->add_option("--campaigns,--cases", options->campaigns, "how many; without it 60 (short) or 1000 (full)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{9999}));
   command->add_option("--seed", options->seed, "of the draw")->capture_default_str();
   command->add_option("--set", options->set, "short: 20 dwells, 40 and 30 dB; full: 40 dwells, 40 to 10 dB")
@@ -158,12 +160,12 @@ void add_set_options(CLI::App* command, const std::shared_ptr<BlindArguments>& o
 }
 
 void add_threads(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
-  command->add_option("--threads", options->threads, "cases at once; the result does not depend on it")
+  command->add_option("--threads", options->threads, "campaigns at once; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));
 }
 
 void add_run_options(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
-  command->add_option("--limit", options->limit_s, "wall time of a case, s")
+  command->add_option("--limit", options->limit_s, "wall time of a campaign, s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("--program", options->program, "the secular that is checked; without it this one");
@@ -199,7 +201,7 @@ void add_blind_command(CLI::App* blind, Action& chosen) {
   add_threads(running, running_options);
   add_run_options(running, running_options);
   const auto [leaving, leave_options] =
-      add("leave-out", "Diagnose every case of one effect as if the catalogue did not hold it", leave_out);
+      add("leave-out", "Diagnose every campaign of one effect as if the catalogue did not hold it", leave_out);
   leaving->add_option("FOLDER", leave_options->folder, "made by generate")->required();
   add_threads(leaving, leave_options);
   add_run_options(leaving, leave_options);

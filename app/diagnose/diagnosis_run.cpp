@@ -10,6 +10,8 @@
 #include "app/shared/parameter_file.hpp"
 #include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
+#include "diagnose/verdict/clipped_records.hpp"
+#include "diagnose/verdict/given_numbers.hpp"
 #include "diagnose/verdict/step_by_step.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
 
@@ -99,24 +101,17 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   return tried;
 }
 
-// Where the records are: as they show, or as the model or the given numbers say where that is near.
 FrequencyStarts start_frequencies(const ModelSource& source, const Campaign& campaign, const RecordReader& read,
                                   DiagnosisOptions& options) {
   std::vector<double> nominal = source.nominal_frequencies();
   nominal.resize(source.modes());
-  for (std::size_t k = 0; k < nominal.size(); ++k)
-    if (const auto given = options.given.values.find(source.frequency_names()[k]);
-        given != options.given.values.end())
-      nominal[k] = given->second;
-  FrequencyStarts starts = frequency_starts(source, campaign, read, nominal, {}, options.window);
-  options.natural_frequency = starts.frequency;
-  for (std::size_t k = 0; k < nominal.size(); ++k)
-    if (std::isfinite(nominal[k]) && !starts.moved[k]) options.natural_frequency[k] = nominal[k];
+  const std::vector<double> claimed = claimed_frequencies(options.given, source.frequency_names(), nominal);
+  FrequencyStarts starts = frequency_starts(source, campaign, read, claimed, {}, options.window);
+  options.natural_frequency = frequencies_of_records(claimed, starts.frequency, starts.moved);
   return starts;
 }
 
-// Every record is looked at before any is compared. Clipping of a few is beside the motion; of most of them, it is
-// what they tell.
+// Every record is looked at before any is compared.
 std::vector<Disturbance> found_in_records(const Campaign& campaign, const Window& window, SelectedRecords& reader,
                                           const DisturbanceWatch& watch) {
   std::size_t chosen = 0;
@@ -126,7 +121,7 @@ std::vector<Disturbance> found_in_records(const Campaign& campaign, const Window
       ++chosen;
     }
   std::vector<Disturbance> found = watch.found();
-  if (2 * reader.clipped_records() < chosen) {
+  if (leaves_clipped_out(reader.clipped_records(), chosen)) {
     reader.leave_clipped_out();
     list_clipped_as_left_out(found);
   }
@@ -159,15 +154,13 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request) {
   run.model = tried.model;
   options.forces = tried.forces;
   const std::string unused = unused_numbers(request.parameters, options.given.values, *run.model);
-  const bool rough = are_rough_frequencies(options.given, *run.model, tried.own);
-  if (rough) options.given = {};
   StepwiseDiagnosis steps =
       diagnose_step_by_step({run.campaign, read, *tried.model, tried.own}, tried.effects, std::move(options),
                             std::move(found), [&] { return identified(request); });
   run.diagnosis = std::move(steps.diagnosis);
   std::vector<std::string>& warnings = run.diagnosis.warnings;
   warnings.insert(warnings.begin(), starts.warnings.begin(), starts.warnings.end());
-  if (rough)
+  if (steps.numbers_were_a_start)
     warnings.push_back(request.parameters +
                        ": holds natural frequencies alone, which are taken as a start: all parameters are fitted");
   if (!unused.empty()) warnings.push_back(unused);

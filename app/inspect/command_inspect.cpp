@@ -18,10 +18,10 @@
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/file_pattern.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/formats/data_file.hpp"
 
 namespace secular::app {
 namespace {

@@ -38,7 +38,7 @@ std::vector<bool> decay_cases(const ModelSource& model, const std::vector<double
       continue;
     }
     const double off = off_resonance(resonance);  // infinite without relations
-    if (std::isfinite(off) && off >= measure_thresholds().resonance_width) continue;
+    if (std::isfinite(off) && off >= measure_thresholds().largest_detuning) continue;
     if (best == cases.size() || resonance.active_modes > cases[best].active_modes ||
         (resonance.active_modes == cases[best].active_modes && off < off_resonance(cases[best])))
       best = c;

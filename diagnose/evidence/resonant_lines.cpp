@@ -8,8 +8,10 @@
 namespace secular {
 namespace {
 
-/// A line this close to a natural frequency (relative) is near resonance.
-constexpr auto& near_resonance = diagnose_thresholds().near_resonance;
+/// A mode may move by itself where a multiple of the excitation is this close to its natural frequency (relative).
+/// Wider than largest_detuning, by which dwells are given to a case whose expansion must hold: a line that is
+/// looked at in vain costs time alone.
+constexpr auto& resonant_reach = diagnose_thresholds().resonant_reach;
 
 struct Multiple {
   int numerator = 1, denominator = 1;
@@ -19,7 +21,7 @@ struct Multiple {
 std::optional<Multiple> simplest_multiple(double natural, double excitation) {
   static constexpr Multiple candidates[] = {{1, 1}, {1, 2}, {2, 1}, {1, 3}, {3, 1}, {2, 3}, {3, 2}};
   std::optional<Multiple> best;
-  double distance = near_resonance;
+  double distance = resonant_reach;
   for (const Multiple& m : candidates) {
     // The higher the multiple, the narrower its resonance.
     const int order = m.numerator * m.denominator;
@@ -61,7 +63,7 @@ std::vector<LineLayout> possible_layouts(const std::vector<double>& natural_freq
       if (multiples[low] || multiples[high] || natural_frequency[low] >= natural_frequency[high]) continue;
       for (const int sign : {1, -1}) {
         const double combined = natural_frequency[high] + sign * natural_frequency[low];
-        if (std::abs(combined / excitation - 1) > near_resonance) continue;
+        if (std::abs(combined / excitation - 1) > resonant_reach) continue;
         LineLayout pair;
         pair.dimensions = 2;
         pair.excitation = {sign, 1};

@@ -96,6 +96,20 @@ bool are_rough_frequencies(const GivenNumbers& given, const CompiledModel& model
   });
 }
 
+std::vector<double> claimed_frequencies(const GivenNumbers& given, const std::vector<std::string>& names,
+                                        std::vector<double> nominal) {
+  for (std::size_t k = 0; k < nominal.size(); ++k)
+    if (const auto claim = given.values.find(names[k]); claim != given.values.end()) nominal[k] = claim->second;
+  return nominal;
+}
+
+std::vector<double> frequencies_of_records(const std::vector<double>& claimed, std::vector<double> shown,
+                                           const std::vector<bool>& moved) {
+  for (std::size_t k = 0; k < claimed.size(); ++k)
+    if (std::isfinite(claimed[k]) && !moved[k]) shown[k] = claimed[k];
+  return shown;
+}
+
 JudgedNumbers judge_given(const GivenNumbers& given, const CompiledModel& model,
                           const std::vector<std::size_t>& fitted, const Discrepancy& discrepancy,
                           const VectorXd& start, unsigned threads) {

@@ -41,6 +41,16 @@ void check_given(const GivenNumbers& given, const CompiledModel& model, const st
 bool are_rough_frequencies(const GivenNumbers& given, const CompiledModel& model,
                            const std::vector<std::size_t>& own);
 
+/// By mode, rad/s: natural frequencies that are claimed, the given ones in the place of a model's `nominal` ones
+/// (NaN: none). `names`: their symbols.
+std::vector<double> claimed_frequencies(const GivenNumbers& given, const std::vector<std::string>& names,
+                                        std::vector<double> nominal);
+
+/// Where the records are: as claimed, or as they show (NaN: they do not) where nothing is or they show another one
+/// (`moved`).
+std::vector<double> frequencies_of_records(const std::vector<double>& claimed, std::vector<double> shown,
+                                           const std::vector<bool>& moved);
+
 /// The given numbers against a campaign.
 struct JudgedNumbers {
   Eigen::VectorXd unknowns;  ///< of the discrepancy, what was left open fitted

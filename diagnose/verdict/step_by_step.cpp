@@ -8,6 +8,7 @@
 #include "diagnose/verdict/allowances.hpp"
 #include "diagnose/verdict/answer.hpp"
 #include "diagnose/verdict/gap_detection.hpp"
+#include "diagnose/verdict/given_numbers.hpp"
 #include "diagnose/verdict/left_content.hpp"
 #include "diagnose/verdict/told_disturbances.hpp"
 
@@ -165,7 +166,11 @@ class StepByStep {
 StepwiseDiagnosis diagnose_step_by_step(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
                                         DiagnosisOptions options, std::vector<Disturbance> found,
                                         const EstimatedParameters& identified) {
-  return StepByStep(sides, effects, std::move(options), std::move(found)).run(identified);
+  const bool rough = are_rough_frequencies(options.given, sides.model, sides.own);
+  if (rough) options.given = {};
+  StepwiseDiagnosis result = StepByStep(sides, effects, std::move(options), std::move(found)).run(identified);
+  result.numbers_were_a_start = rough;
+  return result;
 }
 
 }  // namespace secular

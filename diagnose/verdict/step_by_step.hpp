@@ -18,6 +18,7 @@ namespace secular {
 struct StepwiseDiagnosis {
   Diagnosis diagnosis;                    ///< the answer
   std::vector<Disturbance> disturbances;  ///< found in the records, and told by the answer
+  bool numbers_were_a_start = false;      ///< those given (are_rough_frequencies): all parameters are fitted
   std::string decays_warning;             ///< DecayScatter::warning
   std::optional<BlowsAlone> blows;        ///< whose excitation does not count in the answer; nothing: all do
   std::string blows_warning;              ///< where there are such

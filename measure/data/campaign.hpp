@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "measure/formats/quantity.hpp"
+
 namespace secular {
 
 enum class ChannelRole { excitation, response };
-enum class Quantity { acceleration, velocity, displacement, force, voltage, strain, angle };
 enum class RecordKind { dwell, sweep, free_decay, impact, broadband };
 
 /// What the motion of a response is measured against: a base that may itself move, or space.
@@ -19,7 +20,6 @@ enum class Frame { relative, absolute };
 
 /// As in campaign.toml.
 std::string to_string(ChannelRole role);
-std::string to_string(Quantity quantity);
 std::string to_string(RecordKind kind);
 
 struct Channel {

@@ -1,6 +1,6 @@
 #include "measure/data/campaign_text.hpp"
 
-#include "measure/data/number_table.hpp"
+#include "measure/formats/number_table.hpp"
 
 namespace secular {
 namespace {

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "input/input_error.hpp"
+#include "measure/data/time_axis.hpp"
 #include "measure/thresholds.hpp"
 
 namespace secular {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/data/data_file.hpp"
+#include "measure/formats/data_file.hpp"
 
 namespace secular {
 

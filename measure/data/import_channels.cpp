@@ -9,9 +9,10 @@
 #include <set>
 
 #include "input/input_error.hpp"
-#include "measure/data/matrix_lines.hpp"
 #include "measure/data/names.hpp"
-#include "measure/data/unit.hpp"
+#include "measure/formats/channel_name.hpp"
+#include "measure/formats/matrix_lines.hpp"
+#include "measure/formats/unit.hpp"
 
 namespace secular {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "measure/data/campaign.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/import_files.hpp"
+#include "measure/formats/data_file.hpp"
 
 namespace secular {
 

@@ -10,15 +10,15 @@
 
 #include "input/input_error.hpp"
 #include "measure/data/channel_times.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/import_channels.hpp"
 #include "measure/data/jitter.hpp"
-#include "measure/data/matrix_lines.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/time_axis.hpp"
-#include "measure/data/unit.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/matrix_lines.hpp"
+#include "measure/formats/unit.hpp"
 #include "measure/thresholds.hpp"
 
 namespace secular {

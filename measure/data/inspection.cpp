@@ -8,15 +8,15 @@
 #include <utility>
 
 #include "input/input_error.hpp"
-#include "measure/data/csv_header.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/jitter.hpp"
-#include "measure/data/matrix_lines.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/recorded_span.hpp"
-#include "measure/data/unit.hpp"
+#include "measure/formats/csv_header.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/matrix_lines.hpp"
+#include "measure/formats/unit.hpp"
 #include "measure/thresholds.hpp"
 
 namespace secular {

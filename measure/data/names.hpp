@@ -1,21 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
 #include "measure/data/campaign.hpp"
 
 namespace secular {
-
-inline constexpr std::pair<std::string_view, Quantity> quantity_names[] = {{"acceleration", Quantity::acceleration},
-                                                                           {"velocity", Quantity::velocity},
-                                                                           {"displacement", Quantity::displacement},
-                                                                           {"force", Quantity::force},
-                                                                           {"voltage", Quantity::voltage},
-                                                                           {"strain", Quantity::strain},
-                                                                           {"angle", Quantity::angle}};
 
 inline constexpr std::pair<std::string_view, RecordKind> record_kind_names[] = {
     {"dwell", RecordKind::dwell},
@@ -24,16 +15,10 @@ inline constexpr std::pair<std::string_view, RecordKind> record_kind_names[] = {
     {"impact", RecordKind::impact},
     {"broadband", RecordKind::broadband}};
 
-inline constexpr std::string_view quantity_list =
-    "acceleration, velocity, displacement, force, voltage, strain or angle";
 inline constexpr std::string_view record_kind_list = "dwell, sweep, free_decay, impact or broadband";
-
-/// What keeps a name from being a channel's (and thereby a CSV column's), or empty.
-std::string channel_name_fault(std::string_view name);
 
 /// As campaign.toml writes them; nothing for any other text.
 std::optional<ChannelRole> parse_role(std::string_view text);
-std::optional<Quantity> parse_quantity(std::string_view text);
 std::optional<RecordKind> parse_record_kind(std::string_view text);
 
 }  // namespace secular

@@ -6,7 +6,8 @@
 #include "input/toml_table.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/names.hpp"
-#include "measure/data/unit.hpp"
+#include "measure/formats/channel_name.hpp"
+#include "measure/formats/unit.hpp"
 
 namespace secular {
 namespace {

@@ -7,13 +7,13 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/channel_times.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/recorded_span.hpp"
 #include "measure/data/time_axis.hpp"
-#include "measure/data/unit.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/unit.hpp"
 #include "measure/thresholds.hpp"
 
 namespace secular {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "measure/data/campaign.hpp"
-#include "measure/data/number_table.hpp"
 #include "measure/data/time_axis.hpp"
+#include "measure/formats/number_table.hpp"
 
 namespace secular {
 

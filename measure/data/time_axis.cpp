@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "input/input_error.hpp"
-#include "measure/data/fortran_number.hpp"
 #include "measure/data/rounded_stamps.hpp"
+#include "measure/formats/fortran_number.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/median.hpp"
 

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace secular {
+#include "measure/formats/row_place.hpp"
 
-/// How messages name a row of a file: "line 7" of a CSV whose first row is line 2, "element 6" of a MAT vector.
-struct RowPlace {
-  std::string noun = "line";
-  std::size_t first = 2;
-  std::string of(std::size_t row) const { return noun + " " + std::to_string(first + row); }
-};
+namespace secular {
 
 struct TimeAxis {
   double start_s = 0;

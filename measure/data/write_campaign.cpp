@@ -12,9 +12,9 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
-#include "measure/data/names.hpp"
-#include "measure/data/number_table.hpp"
 #include "measure/data/whole_folder.hpp"
+#include "measure/formats/channel_name.hpp"
+#include "measure/formats/number_table.hpp"
 #include "measure/thresholds.hpp"
 
 namespace secular {

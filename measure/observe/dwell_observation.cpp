@@ -36,7 +36,7 @@ constexpr auto& excitation_purity = measure_thresholds().excitation_purity;
 constexpr auto& level_tolerance = measure_thresholds().level_tolerance;
 
 /// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
-constexpr auto& dwell_search_range = measure_thresholds().resonance_width;
+constexpr auto& dwell_search_range = measure_thresholds().largest_detuning;
 
 /// Fewer ensembles cannot tell phases that stand still from independent ones at the one percent that is asked for
 /// (derived: independent ones pass with probability exp(-K), `bispectral_phase`).

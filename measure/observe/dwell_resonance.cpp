@@ -139,7 +139,7 @@ DwellCase case_of_dwell(const DwellTones& dwell, const std::vector<Resonance>& c
   for (std::size_t c = 0; c < cases.size(); ++c) {
     if (!cases[c].excited) continue;
     const double off = mismatch(cases[c], natural, dwell.excitation);
-    if (!(off < measure_thresholds().resonance_width)) continue;
+    if (!(off < measure_thresholds().largest_detuning)) continue;
     const std::vector<Subharmonic> own = subharmonics_of(cases[c]);
     const bool has_all =
         std::includes(own.begin(), own.end(), dwell.subharmonics.begin(), dwell.subharmonics.end());

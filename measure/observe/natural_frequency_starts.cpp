@@ -45,7 +45,7 @@ class Search {
       more = false;
       for_moves(std::vector<double>(best.frequency), [&](Found tried) {
         for (std::size_t k = 0; k < found.size(); ++k)
-          if (std::abs(tried.frequency[k] - found[k]) > measure_thresholds().resonance_width * found[k]) return;
+          if (std::abs(tried.frequency[k] - found[k]) > measure_thresholds().largest_detuning * found[k]) return;
         if (!keeps(tried, best) || tried.agreeing < best.agreeing) return;
         if (tried.agreeing == best.agreeing && !(tried.off < best.off)) return;
         best = std::move(tried);

@@ -36,7 +36,8 @@ std::vector<SlavedLine> slaved_lines(const MotionSetting& setting, const Compile
                          std::any_of(setting.resting.begin(), setting.resting.end(), is_this);
       const double frequency = parameters[static_cast<std::size_t>(k)], stiffness = frequency * frequency;
       const Complex rate = setting.line_rate(l), dynamic = stiffness + rate * rate;
-      if (!known && std::abs(dynamic) >= resonant_band * stiffness) slaves.push_back({k, l, 1.0 / dynamic});
+      if (!known && std::abs(dynamic) >= least_slaved_stiffness * stiffness)
+        slaves.push_back({k, l, 1.0 / dynamic});
     }
   return slaves;
 }

@@ -73,9 +73,10 @@ class MotionBalance {
   std::vector<StateForce> forces_;
 };
 
-/// A line closer to resonance than this (relative to the natural frequency squared) is no slave, as iteration would
-/// not reach its motion: where it is no master either, the mode counts as at rest on it. Narrower than what
-/// possible_layouts looks at, up to the third multiple: there is no line between the two that moves unseen.
-constexpr double resonant_band = 0.11;
+/// A line whose dynamic stiffness |1 - (line/natural frequency)^2| is less than this is no slave, as iteration
+/// would not reach its motion: where it is no master either, the mode counts as at rest on it. That is 5.4 % above
+/// it and 5.7 % below: less than the 6 % that possible_layouts looks at up to the third multiple (half of
+/// resonant_reach, 1 - 0.94^2 = 0.116 here), so that there is no line between the two that moves unseen.
+constexpr double least_slaved_stiffness = 0.11;
 
 }  // namespace secular

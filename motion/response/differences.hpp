@@ -12,22 +12,24 @@ inline constexpr double difference_step = 0x1p-10;
 
 /// d f / d x, [rows of f][size of x], by five-point central differences
 /// f' = (f(x-2h) - 8 f(x-h) + 8 f(x+h) - f(x+2h)) / 12h (Abramowitz & Stegun 25.3.6): exact but for rounding, about
-/// 1e-13 relative, for polynomials to degree 4. h_i = difference_step * max(|x_i|, magnitude_i).
+/// 1e-13 relative, for polynomials to degree 4. h_i = difference_step * max(|x_i|, magnitude_i). `function` may
+/// return a reference to what it overwrites when it is called again.
 template <class Function>
 Eigen::MatrixXd difference_jacobian(const Function& function, const Eigen::Ref<const Eigen::VectorXd>& at,
                                     const Eigen::Ref<const Eigen::VectorXd>& magnitude, Eigen::Index rows) {
   Eigen::MatrixXd jacobian(rows, at.size());
-  Eigen::VectorXd x = at;
+  Eigen::VectorXd x = at, near(rows), far(rows);
   for (Eigen::Index c = 0; c < at.size(); ++c) {
     const double h = difference_step * std::max(std::abs(at(c)), magnitude(c));
-    const auto moved = [&](double steps) -> Eigen::VectorXd {
+    const auto moved = [&](double steps) -> decltype(auto) {
       x(c) = at(c) + steps * h;
-      Eigen::VectorXd value = function(x);
-      x(c) = at(c);
-      return value;
+      return function(x);
     };
-    const Eigen::VectorXd near = moved(1) - moved(-1);
-    const Eigen::VectorXd far = moved(2) - moved(-2);
+    near = moved(1);
+    near -= moved(-1);
+    far = moved(2);
+    far -= moved(-2);
+    x(c) = at(c);
     jacobian.col(c) = (8 * near - far) / (12 * h);
   }
   return jacobian;

@@ -34,9 +34,9 @@ VectorXd newton_step(const Eigen::Ref<const MatrixXd>& jacobian, const Eigen::Re
   }
   if (!scaled.allFinite() || !right.allFinite())
     return VectorXd::Constant(jacobian.cols(), std::numeric_limits<double>::quiet_NaN());
-  // Differences leave the zeros of a singular matrix at about 1e-13: without the threshold they would be divided
-  // by.
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
+  // Kept, so that it need not ask for its memory each of a million times. Differences leave the zeros of a singular
+  // matrix at about 1e-13: without the threshold they would be divided by.
+  thread_local Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
   decomposition.setThreshold(1e-11);
   decomposition.compute(scaled);
   return decomposition.solve(right);

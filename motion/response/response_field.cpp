@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -94,16 +95,24 @@ std::vector<std::string> ResponseField::parameter_names(const CompiledModel& mod
 
 VectorXcd ResponseField::modulation(const ConstVector& parameters,
                                     const Eigen::Ref<const VectorXcd>& amplitude) const {
+  VectorXcd result(amplitude.size());
+  modulate(
+      parameters, [&](Index k) { return amplitude(k); }, [&](Index k, Complex rate) { result(k) = rate; });
+  return result;
+}
+
+// Searches call this millions of times: nothing is asked of the heap where modes are few.
+template <class Amplitude, class Put>
+void ResponseField::modulate(const ConstVector& parameters, const Amplitude& amplitude, const Put& put) const {
+  using Numbers = boost::container::small_vector<Complex, 6>;
   const std::size_t modes = model_->modes(), excitations = model_->excitations.size();
-  std::vector<Complex> all(modes), rate(modes), forcing(std::max<std::size_t>(1, excitations));
+  Numbers all(modes), rate(modes), forcing(std::max<std::size_t>(1, excitations));
   for (std::size_t k = 0; k < active_.size(); ++k) all[active_[k]] = amplitude(static_cast<Index>(k));
   const double* const frequency = parameters.data() + model_->symbols.size();
   if (case_->excited)
     for (std::size_t j = 0; j < excitations; ++j) forcing[j] = frequency[excitations + j];
   case_->modulation(parameters.data(), frequency, all.data(), forcing.data(), rate.data());
-  VectorXcd result(amplitude.size());
-  for (std::size_t k = 0; k < active_.size(); ++k) result(static_cast<Index>(k)) = rate[active_[k]];
-  return result;
+  for (std::size_t k = 0; k < active_.size(); ++k) put(static_cast<Index>(k), rate[active_[k]]);
 }
 
 bool ResponseField::is_equivariant(const ConstVector& direction) const {
@@ -200,14 +209,13 @@ VectorField ResponseField::field(bool reduced, double amplitude_scale, const Con
       for (const Index k : self.plain_) put(frame.rate(k));
     };
   } else {
-    right_side = [self, count](const ConstVector& x, const ConstVector& p, Eigen::Ref<VectorXd> rate) {
-      VectorXcd b(count);
-      for (Index k = 0; k < count; ++k) b(k) = Complex(x(2 * k), x(2 * k + 1));
-      const VectorXcd derivative = self.modulation(p, b);
-      for (Index k = 0; k < count; ++k) {
-        rate(2 * k) = derivative(k).real();
-        rate(2 * k + 1) = derivative(k).imag();
-      }
+    right_side = [self](const ConstVector& x, const ConstVector& p, Eigen::Ref<VectorXd> rate) {
+      const auto amplitude = [&](Index k) { return Complex(x(2 * k), x(2 * k + 1)); };
+      const auto put = [&](Index k, Complex derivative) {
+        rate(2 * k) = derivative.real();
+        rate(2 * k + 1) = derivative.imag();
+      };
+      self.modulate(p, amplitude, put);
     };
   }
   VectorField result(dimension, parameter_names(*model_), std::move(right_side));

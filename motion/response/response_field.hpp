@@ -71,6 +71,10 @@ class ResponseField {
     Eigen::VectorXd shift;             // [active mode], rad/s
     double scale = 1;                  // rate is per this amplitude in ratio modes and the pinned one
   };
+  // Of every active mode: `amplitude(k)`, and `put(k, dB_k/dt)`.
+  template <class Amplitude, class Put>
+  void modulate(const Eigen::Ref<const Eigen::VectorXd>& parameters, const Amplitude& amplitude,
+                const Put& put) const;
   Frame frame_at(const Eigen::Ref<const Eigen::VectorXd>& parameters,
                  const Eigen::Ref<const Eigen::VectorXd>& state) const;
   bool is_equivariant(const Eigen::Ref<const Eigen::VectorXd>& direction) const;

@@ -58,9 +58,15 @@ VectorXd VectorField::rate(const ConstVector& state, const ConstVector& paramete
 MatrixXd VectorField::jacobian(const ConstVector& state, const ConstVector& parameters) const {
   if (state.size() != dimension_ || parameters.size() != parameter_count())
     throw std::invalid_argument("a state or parameters that do not have the vector field's size");
-  if (!jacobian_)
-    return difference_jacobian([&](const VectorXd& x) { return rate(x, parameters); }, state, typical_state_,
-                               dimension_);
+  if (!jacobian_) {
+    VectorXd rate(dimension_);
+    const auto rate_at = [&](const VectorXd& x) -> const VectorXd& {
+      rate.setZero();
+      right_side_(x, parameters, rate);
+      return rate;
+    };
+    return difference_jacobian(rate_at, state, typical_state_, dimension_);
+  }
   MatrixXd jacobian = MatrixXd::Zero(dimension_, dimension_);
   jacobian_(state, parameters, jacobian);
   return jacobian;

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/data/names.hpp"
-#include "measure/data/unit.hpp"
+#include "measure/formats/quantity.hpp"
+#include "measure/formats/unit.hpp"
 #include "motion/simulate/experiment_parts.hpp"
 #include "motion/simulate/sensor_placement.hpp"
 

@@ -2,25 +2,16 @@
 
 #include <cmath>
 
+#include "numerics/splitmix64.hpp"
+
 namespace secular {
-namespace {
-
-// S. Vigna's splitmix64 step as a mixing function.
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
-}
-
-}  // namespace
 
 NoiseStream::NoiseStream(std::uint64_t seed, std::uint64_t record, std::uint64_t channel)
-    : state_(mixed(mixed(mixed(seed) + record) + channel)) {}
+    : state_(splitmix64(splitmix64(splitmix64(seed) + record) + channel)) {}
 
 std::uint64_t NoiseStream::next() {
-  state_ += 0x9e3779b97f4a7c15ULL;
-  return mixed(state_);
+  state_ += splitmix64_step;
+  return splitmix64(state_);
 }
 
 double NoiseStream::uniform() {

@@ -1,5 +1,5 @@
 // Structures of the blind check with nothing withheld: a generator and an integrator that share no code with the
-// estimator, numbers that nobody chose, decays beside dwells, real channels. SECULAR_COVERAGE_CASES asks for more
+// estimator, numbers that nobody chose, decays beside dwells, real channels. SECULAR_COVERAGE_STRUCTURES asks for more
 // structures of each family than the few of a test run, SECULAR_COVERAGE_DB for another noise than 50 dB below the
 // responses, where what the expansion leaves out would be far larger than the error bars.
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "app/shared/identification.hpp"
-#include "blind/case_files.hpp"
-#include "blind/sealed_case.hpp"
+#include "blind/sealed_campaign.hpp"
+#include "blind/sealed_files.hpp"
 #include "numerics/confidence.hpp"
 #include "tests/process_folder.hpp"
 
@@ -29,7 +29,7 @@ double real_from(const char* variable, double usual) {
   return text ? std::atof(text) : usual;
 }
 
-std::map<std::string, double> truth_of(const blind::SealedCase& sealed) {
+std::map<std::string, double> truth_of(const blind::SealedCampaign& sealed) {
   const blind::Specimen& specimen = sealed.specimen;
   blind::Structure structure = specimen.structure;
   std::map<std::string, double> truth;
@@ -59,21 +59,21 @@ void count_values(const Estimate& estimate, const std::map<std::string, double>&
 }
 
 TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
-  const int cases = static_cast<int>(real_from("SECULAR_COVERAGE_CASES", 3));
+  const int structures = static_cast<int>(real_from("SECULAR_COVERAGE_STRUCTURES", 3));
   Count all;
   std::vector<double> misfit_f;
   for (const std::string& family : blind::families) {
     Count here;
-    for (int number = 1; number <= cases; ++number) {
-      blind::CasePlan plan;
+    for (int number = 1; number <= structures; ++number) {
+      blind::CampaignPlan plan;
       plan.number = static_cast<std::size_t>(number);
       plan.kind = "none";
       plan.family = family;
       plan.snr_db = real_from("SECULAR_COVERAGE_DB", 50);
       plan.dwells = 40;
-      const blind::SealedCase sealed = blind::draw_case(plan, 9);
+      const blind::SealedCampaign sealed = blind::draw_campaign(plan, 9);
       const fs::path place = testing_support::process_folder() / family;
-      blind::write_case(sealed, 9, place);
+      blind::write_sealed(sealed, 9, place);
       IdentificationRequest request;
       request.campaign = (place / "campaign").string();
       request.model = (place / "model.toml").string();
@@ -103,11 +103,11 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
   // and intervals of half the length miss twice as many.
   const double expected = 0.05 * all.numbers, sd = std::sqrt(1.5 * 0.95 * expected);
   EXPECT_LT(all.missed, expected + 3 * sd);
-  EXPECT_GT(all.numbers, 20 * cases);
+  EXPECT_GT(all.numbers, 20 * structures);
   EXPECT_LT(all.doubtful, 0.05 * all.numbers);
   // Models are right, and what is taken out for the truncation is known to less than the noise: F is neither large
   // nor, as it would be if much of that counted as unknown, small.
-  EXPECT_LE(all.misfits, 1 + cases / 10);
+  EXPECT_LE(all.misfits, 1 + structures / 10);
   std::nth_element(misfit_f.begin(), misfit_f.begin() + static_cast<std::ptrdiff_t>(misfit_f.size() / 2),
                    misfit_f.end());
   EXPECT_NEAR(misfit_f[misfit_f.size() / 2], 1, 0.3);

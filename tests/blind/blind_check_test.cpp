@@ -34,13 +34,13 @@ void expect_within_band(const Figure& f) {
     const boost::math::binomial chance(static_cast<double>(f.trials), wanted);
     return misses < 1 ? 1 : boost::math::cdf(boost::math::complement(chance, misses - 1));
   };
-  ASSERT_LT(at_least(static_cast<double>(f.trials)), 1e-3) << f.name << ": only " << f.trials << " cases";
+  ASSERT_LT(at_least(static_cast<double>(f.trials)), 1e-3) << f.name << ": only " << f.trials << " campaigns";
   const double misses = std::round((f.at_most ? f.value : 1 - f.value) * static_cast<double>(f.trials));
   EXPECT_GT(at_least(misses), 1e-3) << f.name << ": " << misses << " misses of " << f.trials;
 }
 
-// The first seed whose five cases hold what the figures need, two without a gap and three of one effect of at least
-// 3 standard deviations, and are quick: primary resonances, effects without a shape of their own.
+// The first seed whose five campaigns hold what the figures need, two without a gap and three of one effect of at
+// least 3 standard deviations, and are quick: primary resonances, effects without a shape of their own.
 constexpr std::uint64_t seed_of_five = 130897;
 
 TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
@@ -49,10 +49,11 @@ TEST(SlowBlindCheck, AShortSetKeepsItsTargetsWithinChance) {
   fs::create_directories(folder);
   if (!help_of_diagnose(testing_support::program())) GTEST_SKIP() << "there is no `secular diagnose`";
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  generate_set(folder, {.cases = 5, .seed = seed_of_five, .size = SetSize::short_set, .threads = threads}, {});
+  generate_set(folder, {.campaigns = 5, .seed = seed_of_five, .size = SetSize::short_set, .threads = threads}, {});
   const RunSummary run =
       run_set(folder, {.program = testing_support::program(), .threads = threads, .limit_s = 600}, {});
-  for (const FailedCase& failed : run.failed) ADD_FAILURE() << "case " << failed.number << ": " << failed.reason;
+  for (const FailedCampaign& failed : run.failed)
+    ADD_FAILURE() << "campaign " << failed.number << ": " << failed.reason;
   const Score score = score_set(folder);
   expect_within_band(figure_of(score, "false alarm"));
   expect_within_band(figure_of(score, "gap detected"));

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "blind/case_files.hpp"
-#include "blind/sealed_case.hpp"
+#include "blind/sealed_campaign.hpp"
+#include "blind/sealed_files.hpp"
 #include "blind/signature.hpp"
 #include "tests/process_folder.hpp"
 
@@ -103,7 +103,7 @@ TEST(BlindDisturbances, EveryKindIsDrawn) {
   for (const auto& [kind, count] : times) EXPECT_NEAR(count, 120, 5 * std::sqrt(120.0)) << kind;
 }
 
-CasePlan small_plan(bool disturbed) {
+CampaignPlan small_plan(bool disturbed) {
   return {.number = 3,
           .kind = "single",
           .effects = {"quintic_stiffness"},
@@ -118,8 +118,8 @@ TEST(BlindDisturbances, LeaveStructureAndEffectAsTheyWere) {
   const fs::path folder = testing_support::process_folder() / "blind_disturbances";
   for (const bool disturbed : {false, true}) {
     const fs::path place = folder / (disturbed ? "disturbed" : "clean");
-    const SealedCase sealed = draw_case(small_plan(disturbed), 8);
-    write_case(sealed, 8, place);
+    const SealedCampaign sealed = draw_campaign(small_plan(disturbed), 8);
+    write_sealed(sealed, 8, place);
     write_text(place / "label.json", label_of(sealed).dump());
   }
   const auto label = [&](const char* name) {
@@ -153,12 +153,12 @@ TEST(BlindDisturbances, ScatterCountsAsNoise) {
 
 // Responses that are late by tau: the phase of the response's line behind the excitation's grows by Omega tau.
 TEST(BlindDisturbances, LateRecordsAreLate) {
-  SealedCase sealed = draw_case(small_plan(false), 8);
+  SealedCampaign sealed = draw_campaign(small_plan(false), 8);
   const fs::path folder = testing_support::process_folder() / "blind_late";
   const Dwell& dwell = sealed.specimen.dwells.front();
   const double hz = dwell.drive.frequency / two_pi;
   const auto phase_behind = [&](const char* name) {
-    write_case(sealed, 8, folder / name);
+    write_sealed(sealed, 8, folder / name);
     std::istringstream text(read_text(folder / name / "campaign/records/0001.csv"));
     std::string row;
     std::getline(text, row);

@@ -14,10 +14,10 @@
 #include <thread>
 #include <vector>
 
-#include "blind/case_files.hpp"
 #include "blind/estimate_set.hpp"
 #include "blind/random.hpp"
-#include "blind/sealed_case.hpp"
+#include "blind/sealed_campaign.hpp"
+#include "blind/sealed_files.hpp"
 #include "blind/sealed_set.hpp"
 #include "effects/catalogue.hpp"
 #include "tests/places.hpp"
@@ -29,8 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A campaign's numbers, as a user gets them.
-std::vector<JudgedNumber> numbers_given(const SealedCase& sealed, std::uint64_t seed, const fs::path& folder) {
-  write_case(sealed, seed, folder);
+std::vector<JudgedNumber> numbers_given(const SealedCampaign& sealed, std::uint64_t seed, const fs::path& folder) {
+  write_sealed(sealed, seed, folder);
   const std::string command = testing_support::program() + " identify " + (folder / "campaign").string() +
                               " --model " + (folder / "model.toml").string() + " -o " + (folder / "out").string() +
                               " --threads 1 >/dev/null 2>&1";
@@ -40,18 +40,18 @@ std::vector<JudgedNumber> numbers_given(const SealedCase& sealed, std::uint64_t 
 }
 
 std::vector<JudgedNumber> identified(std::size_t number, std::uint64_t seed, const fs::path& folder) {
-  CasePlan plan;
+  CampaignPlan plan;
   plan.number = number + 1;
   plan.kind = "none";
   plan.family = families[number % families.size()];
   Random random(seed, number);
   plan.snr_db = random.chance(0.5) ? 40 : 30;
   plan.disturbed = true;
-  return numbers_given(draw_case(plan, seed), seed, folder);
+  return numbers_given(draw_campaign(plan, seed), seed, folder);
 }
 
 // Every dwell has natural frequencies of its own; decays have those of the structure.
-void scatter_besides(SealedCase& sealed, double sd, std::uint64_t seed) {
+void scatter_besides(SealedCampaign& sealed, double sd, std::uint64_t seed) {
   Disturbances& d = sealed.disturbances;
   d.kinds.push_back("record_scatter");
   d.frequency_scatter = sd;
@@ -64,13 +64,13 @@ void scatter_besides(SealedCase& sealed, double sd, std::uint64_t seed) {
 }
 
 // The same, and nothing else disturbs.
-void let_frequencies_scatter(SealedCase& sealed, double sd, std::uint64_t seed) {
+void let_frequencies_scatter(SealedCampaign& sealed, double sd, std::uint64_t seed) {
   sealed.disturbances = {};
   scatter_besides(sealed, sd, seed);
 }
 
 // Noise with a colour beside white noise of 1 % of the rms, and responses whose zero wanders.
-void let_noise_be_slow(SealedCase& sealed) {
+void let_noise_be_slow(SealedCampaign& sealed) {
   Disturbances& d = sealed.disturbances;
   d = {};
   d.kinds = {"coloured_noise", "offset_wander"};
@@ -84,27 +84,27 @@ void let_noise_be_slow(SealedCase& sealed) {
 // A campaign of 20 dwells and three decays at 40 dB whose lot is one disturbance, as `diagnose` sees it. `disturb`:
 // puts another in place of the lot.
 struct Diagnosed {
-  SealedCase sealed;
+  SealedCampaign sealed;
   nlohmann::json said;
 };
 
 constexpr std::uint64_t seed_of_diagnosed = 60606;
 
 Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects,
-                    const std::function<void(SealedCase&)>& disturb = {}, const std::string& options = "") {
+                    const std::function<void(SealedCampaign&)>& disturb = {}, const std::string& options = "") {
   constexpr std::uint64_t seed = seed_of_diagnosed;
-  CasePlan plan;
+  CampaignPlan plan;
   plan.number = number;
   plan.kind = effects.empty() ? "none" : "single";
   plan.effects = effects;
   plan.family = "primary";
   plan.snr_db = 40;
   plan.disturbed = true;
-  Diagnosed result{draw_case(plan, seed), {}};
+  Diagnosed result{draw_campaign(plan, seed), {}};
   result.sealed.parameters.clear();
   if (disturb) disturb(result.sealed);
   const fs::path folder = testing_support::process_folder() / ("diagnosed_" + std::to_string(number));
-  write_case(result.sealed, seed, folder);
+  write_sealed(result.sealed, seed, folder);
   const std::string command = testing_support::program() + " diagnose " + (folder / "campaign").string() +
                               " --model " + (folder / "model.toml").string() + " -o " + (folder / "out").string() +
                               options + " >/dev/null 2>&1";
@@ -136,7 +136,7 @@ TEST(SlowDisturbedLot, LateRecordsAreNoCause) {
 }
 
 // By 0.2 %, a fifth of the resonance's width.
-void scatter_a_little(SealedCase& sealed) {
+void scatter_a_little(SealedCampaign& sealed) {
   let_frequencies_scatter(sealed, 0.002, seed_of_diagnosed);
 }
 
@@ -181,7 +181,7 @@ std::string without_all_but_a_few() {
 // for beside either, beside none and beside both, so that a few effects have to do.
 TEST(SlowDisturbedLot, LateRecordsWithFrequenciesThatScatterAreNoCause) {
   const Diagnosed d = diagnosed(
-      91, {}, [](SealedCase& sealed) { scatter_besides(sealed, 0.002, seed_of_diagnosed); },
+      91, {}, [](SealedCampaign& sealed) { scatter_besides(sealed, 0.002, seed_of_diagnosed); },
       without_all_but_a_few());
   ASSERT_EQ(d.sealed.disturbances.kinds, (std::vector<std::string>{"late_record", "record_scatter"}));
   EXPECT_EQ(d.said.at("verdict"), "no_gap");
@@ -198,7 +198,7 @@ TEST(SlowDisturbedLot, AnEffectIsNamedBesideFrequenciesThatScatter) {
 // Five dwells do not tell how frequencies scatter, and a law fits them as well: none is named.
 TEST(SlowDisturbedLot, FewDwellsWhoseFrequenciesScatterTellNoLaw) {
   for (std::size_t number = 91; number < 97; ++number) {
-    const auto scatter = [](SealedCase& sealed) {
+    const auto scatter = [](SealedCampaign& sealed) {
       sealed.decays.clear();
       sealed.specimen.dwells.resize(5);
       sealed.motions.resize(5);
@@ -224,14 +224,14 @@ void expect_as_good_as_noise(const std::vector<JudgedNumber>& numbers, const std
 
 // At 60 dB an error of a phase of 0.01 rad, as truncated equations make it, counts by its square.
 TEST(SlowDisturbedLot, NumbersBesideLateRecordsAreAsGoodAsTheNoise) {
-  CasePlan plan;
+  CampaignPlan plan;
   plan.number = 91;
   plan.kind = "none";
   plan.family = "primary";
   plan.snr_db = 60;
   plan.disturbed = true;
   constexpr std::uint64_t seed = 60606;
-  const SealedCase sealed = draw_case(plan, seed);
+  const SealedCampaign sealed = draw_campaign(plan, seed);
   ASSERT_EQ(sealed.disturbances.kinds, std::vector<std::string>{"late_record"});
   const fs::path folder = testing_support::process_folder() / "late_at_60_db";
   const std::vector<JudgedNumber> numbers = numbers_given(sealed, seed, folder);
@@ -242,8 +242,8 @@ TEST(SlowDisturbedLot, NumbersBesideLateRecordsAreAsGoodAsTheNoise) {
 // Noise that is slower than the motion is large as a displacement: the tone of a window that was followed into it
 // led to amplitudes of 1e44 m, and to numbers like that.
 TEST(SlowDisturbedLot, DecaysEndWhereSlowNoiseBegins) {
-  const SetOptions set{.cases = 118, .seed = 779, .disturbed = true, .nothing_withheld = true};
-  const SealedCase sealed = draw_case(draw_plans(set).back(), set.seed);
+  const SetOptions set{.campaigns = 118, .seed = 779, .disturbed = true, .nothing_withheld = true};
+  const SealedCampaign sealed = draw_campaign(draw_plans(set).back(), set.seed);
   ASSERT_EQ(sealed.disturbances.kinds, std::vector<std::string>{"coloured_noise"});
   const fs::path folder = testing_support::process_folder() / "slow_noise";
   const std::vector<JudgedNumber> numbers = numbers_given(sealed, set.seed, folder);
@@ -257,8 +257,8 @@ TEST(SlowDisturbedLot, NoNumberIsFarOffUnmarked) {
   const fs::path folder = testing_support::process_folder() / "disturbed_lot";
   std::vector<std::vector<JudgedNumber>> lot(campaigns);
   in_parallel(campaigns, std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t i) {
-    lot[i] = identified(i, seed, case_folder(folder, i + 1));
-    fs::remove_all(case_folder(folder, i + 1));
+    lot[i] = identified(i, seed, sealed_folder(folder, i + 1));
+    fs::remove_all(sealed_folder(folder, i + 1));
   });
   double asked = 0, given = 0, trusted = 0, held = 0, most = 0;
   for (std::size_t i = 0; i < campaigns; ++i) {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "blind/case_files.hpp"
 #include "blind/score_set.hpp"
+#include "blind/sealed_files.hpp"
 #include "blind/sealed_set.hpp"
 #include "blind/sha256.hpp"
 #include "input/input_error.hpp"
@@ -38,9 +38,9 @@ TEST(EstimateSet, ANumberIsJudgedByItsValueItsIntervalAndItsMark) {
   EXPECT_EQ(numbers[3].number, 4U);
 }
 
-TEST(EstimateSet, IdentifiesEveryCaseOnceAndScoresIt) {
+TEST(EstimateSet, IdentifiesEveryCampaignOnceAndScoresIt) {
   const fs::path folder = testing_support::process_folder() / "numbers", page = folder / "page";
-  generate_set(folder / "set", {.cases = 2, .seed = 12, .disturbed = true, .nothing_withheld = true}, {});
+  generate_set(folder / "set", {.campaigns = 2, .seed = 12, .disturbed = true, .nothing_withheld = true}, {});
   const json labels = read_labels(folder / "set");
   for (const json& label : labels.at("labels")) EXPECT_EQ(label.at("kind"), "none");
   RunOptions options;
@@ -48,7 +48,7 @@ TEST(EstimateSet, IdentifiesEveryCaseOnceAndScoresIt) {
   EXPECT_TRUE(identify_set(folder / "set", options, {}).failed.empty());
   EXPECT_EQ(identify_set(folder / "set", options, {}).kept, 2U);
   const EstimateScore score = score_estimates(folder / "set");
-  EXPECT_EQ(score.cases, 2U);
+  EXPECT_EQ(score.campaigns, 2U);
   EXPECT_TRUE(score.failed.empty());
   std::size_t asked = 0;
   for (const auto& [family, share] : score.by_family) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "blind/case_files.hpp"
+#include "blind/sealed_files.hpp"
 #include "input/input_error.hpp"
 #include "tests/process_folder.hpp"
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "blind/case_files.hpp"
 #include "blind/leave_out.hpp"
 #include "blind/score_set.hpp"
+#include "blind/sealed_files.hpp"
 #include "blind/sha256.hpp"
 #include "input/input_error.hpp"
 #include "tests/process_folder.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A set of three cases without campaigns (by its seed one of them has one effect, which is quick to compare with
+// A set of three campaigns without records (by its seed one of them has one effect, which is quick to compare with
 // others), and a program that finds no gap in the first, refuses the second and says nothing of the third.
 class BlindRun : public testing::Test {
  protected:
@@ -34,12 +34,12 @@ class BlindRun : public testing::Test {
     for (int i = 1; i <= 3; ++i) {
       labels["labels"].push_back(
           {{"case", i}, {"kind", "none"}, {"snr_db", 40}, {"effects", nlohmann::json::array()}});
-      fs::create_directories(case_folder(folder, static_cast<std::size_t>(i)));
+      fs::create_directories(sealed_folder(folder, static_cast<std::size_t>(i)));
     }
     write_text(folder / "set.json", R"({"schema": 1, "seed": 86, "set": "short", "cases": 3})");
     write_text(folder / "labels.json", labels.dump());
     write_text(folder / "labels.sha256", sha256(labels.dump()));
-    // Called as PROGRAM diagnose CASE/campaign --model CASE/model.toml -o CASE/diagnosis
+    // Called as PROGRAM diagnose case_NNNN/campaign --model case_NNNN/model.toml -o case_NNNN/diagnosis
     program = folder / "program";
     write_text(program, R"x(#!/bin/sh
 [ "$2" = --help ] && echo "--model M" && exit 0
@@ -69,28 +69,28 @@ TEST_F(BlindRun, ListsFailuresAndKeepsDiagnoses) {
   EXPECT_EQ(score.failed, 2u);
   EXPECT_EQ(score.confusion.at("no_gap").at("no_gap"), 1u);
   write_score(score, name_of_set(folder), folder / "page");
-  EXPECT_NE(read_text(folder / "page" / "score.md").find("short set of 3 cases, seed 86"), std::string::npos);
+  EXPECT_NE(read_text(folder / "page" / "score.md").find("short set of 3 campaigns, seed 86"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(read_text(folder / "page" / "score.json"))["failed"], 2);
 }
 
-TEST_F(BlindRun, GivesParametersWhereACaseHasThem) {
-  write_text(case_folder(folder, 2) / "parameters.json", "{}");
+TEST_F(BlindRun, GivesParametersWhereACampaignHasThem) {
+  write_text(sealed_folder(folder, 2) / "parameters.json", "{}");
   run_set(folder, {.program = program, .threads = 1, .limit_s = 20}, {});
   const std::string calls = read_text(folder / "calls");
-  const std::string given = "--parameters " + (case_folder(folder, 2) / "parameters.json").string();
+  const std::string given = "--parameters " + (sealed_folder(folder, 2) / "parameters.json").string();
   EXPECT_NE(calls.find(given), std::string::npos) << calls;
   EXPECT_EQ(calls.find("--parameters", calls.find(given) + 1), std::string::npos);
 }
 
 using SlowBlindRun = BlindRun;
 
-TEST_F(SlowBlindRun, LeavesOutTheOneEffectThatACaseHas) {
-  const std::vector<CasePlan> plans = draw_plans({.cases = 3, .seed = 86});
+TEST_F(SlowBlindRun, LeavesOutTheOneEffectThatACampaignHas) {
+  const std::vector<CampaignPlan> plans = draw_plans({.campaigns = 3, .seed = 86});
   const LeaveOutSummary summary = leave_out_of_set(folder, {.program = program, .threads = 2, .limit_s = 20}, {});
   const std::string calls = read_text(folder / "calls");
   std::size_t singles = 0;
-  for (const CasePlan& plan : plans) {
-    const fs::path place = case_folder(folder, plan.number);
+  for (const CampaignPlan& plan : plans) {
+    const fs::path place = sealed_folder(folder, plan.number);
     if (plan.kind != "single") {
       EXPECT_FALSE(fs::exists(left_out_folder(place))) << plan.number;
       continue;
@@ -103,7 +103,7 @@ TEST_F(SlowBlindRun, LeavesOutTheOneEffectThatACaseHas) {
     EXPECT_EQ(std::count(rest.begin(), rest.end(), plan.effects.front()), 0) << plan.effects.front();
   }
   ASSERT_GT(singles, 0U);
-  EXPECT_EQ(summary.cases, singles);
+  EXPECT_EQ(summary.campaigns, singles);
 }
 
 TEST_F(BlindRun, AnUnsealedSetIsRefused) {

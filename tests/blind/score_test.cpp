@@ -85,9 +85,9 @@ TEST(BlindScore, FiguresAreThoseComputedByHand) {
   const Said clipping = cause("clipping", 1, 0.8);
   const Score score =
       score_of(sealed, {right, wrong, set, none, cause("drag", 0.5), unknown, pair, none, clipping});
-  EXPECT_EQ(score.cases, 9u);
+  EXPECT_EQ(score.campaigns, 9u);
   EXPECT_EQ(score.failed, 0u);
-  // cases 1, 2, 3, 9: all but 2 contain the truth
+  // campaigns 1, 2, 3, 9: all but 2 contain the truth
   EXPECT_DOUBLE_EQ(figure(score, "contains the truth (at least").value, 0.75);
   EXPECT_EQ(figure(score, "contains the truth (at least").trials, 4u);
   // 40 dB: 1 right, 2 wrong; 30 dB: 9 right (3 cannot be told from its look-alike, 8 is too weak)

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "blind/case_files.hpp"
 #include "blind/random.hpp"
+#include "blind/sealed_files.hpp"
 #include "blind/sha256.hpp"
 #include "blind/signature.hpp"
 #include "input/input_error.hpp"
@@ -72,11 +72,11 @@ TEST(BlindRandom, GaussianHasItsMoments) {
 }
 
 TEST(BlindPlans, EveryEffectIsDrawnAndKindsKeepTheirShares) {
-  const std::vector<CasePlan> plans = draw_plans({.cases = 400, .seed = 3, .size = SetSize::full_set});
+  const std::vector<CampaignPlan> plans = draw_plans({.campaigns = 400, .seed = 3, .size = SetSize::full_set});
   std::map<std::string, int> kinds;
   std::set<std::string> effects;
   std::set<double> noise;
-  for (const CasePlan& plan : plans) {
+  for (const CampaignPlan& plan : plans) {
     ++kinds[plan.kind];
     noise.insert(plan.snr_db);
     if (plan.kind == "single") effects.insert(plan.effects.begin(), plan.effects.end());
@@ -163,10 +163,10 @@ TEST(BlindSignature, ARivalIsFittedTogetherWithTheModelsOwnParameters) {
   EXPECT_LT(signatures.refitted_unexplained(change, false, with_spring, 0.4 * cubic).norm(), 0.01 * change.norm());
 }
 
-TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {
-  CasePlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .snr_db = 20, .dwells = 4};
-  const SealedCase sealed = draw_case(plan, 8);
-  write_case(sealed, 8, folder / "case");
+TEST_F(BlindFolder, CampaignHasTheNoiseThatItsLabelSays) {
+  CampaignPlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .snr_db = 20, .dwells = 4};
+  const SealedCampaign sealed = draw_campaign(plan, 8);
+  write_sealed(sealed, 8, folder / "case");
   // The base is a pure harmonic here: what a fit of its frequency leaves is noise.
   const Dwell& dwell = sealed.specimen.dwells.front();
   std::istringstream text(read_text(folder / "case" / "campaign" / "records" / "0001.csv"));
@@ -186,35 +186,36 @@ TEST_F(BlindFolder, CaseHasTheNoiseThatItsLabelSays) {
   EXPECT_GT(sealed.noise_sd[0], 0.02 * dwell.drive.amplitude / std::sqrt(2));
 }
 
-// The first draws of these cases run away: one in a dwell, by a coupling that softens, the other in a decay, which
-// begins beyond every dwell's amplitude. Each is then the case that its second stream draws.
+// The first draws of these campaigns run away: one in a dwell, by a coupling that softens, the other in a decay,
+// which begins beyond every dwell's amplitude. Each is then the campaign that its second stream draws.
 using SlowBlindFolder = BlindFolder;
-TEST_F(SlowBlindFolder, ACaseThatRunsAwayIsDrawnAgain) {
+TEST_F(SlowBlindFolder, ACampaignThatRunsAwayIsDrawnAgain) {
   constexpr std::size_t second_stream = 10'000'000;
   const struct {
     const char *effect, *family;
     std::uint64_t seed;
   } runaways[] = {{"cubic_coupling", "two_modes", 4}, {"quadratic_stiffness", "principal_parametric", 44}};
   for (const auto& [effect, family, seed] : runaways) {
-    CasePlan plan{.number = 3, .kind = "outside", .effects = {effect}, .family = family, .snr_db = 10, .dwells = 4};
-    const SealedCase sealed = draw_case(plan, seed);
+    CampaignPlan plan{
+        .number = 3, .kind = "outside", .effects = {effect}, .family = family, .snr_db = 10, .dwells = 4};
+    const SealedCampaign sealed = draw_campaign(plan, seed);
     plan.number += second_stream;
-    EXPECT_EQ(numbers_of(sealed.specimen), numbers_of(draw_case(plan, seed).specimen)) << effect;
-    write_case(sealed, seed, folder / effect);
+    EXPECT_EQ(numbers_of(sealed.specimen), numbers_of(draw_campaign(plan, seed).specimen)) << effect;
+    write_sealed(sealed, seed, folder / effect);
     for (const auto& record : std::filesystem::directory_iterator(folder / effect / "campaign" / "records"))
       EXPECT_EQ(read_text(record.path()).find("nan"), std::string::npos) << record.path();
   }
 }
 
 TEST_F(BlindFolder, SameSeedGivesTheSameBytes) {
-  CasePlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .dwells = 4};
+  CampaignPlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .dwells = 4};
   for (const char* name : {"one", "two"}) {
-    const SealedCase sealed = draw_case(plan, 8);
-    write_case(sealed, 8, folder / name);
+    const SealedCampaign sealed = draw_campaign(plan, 8);
+    write_sealed(sealed, 8, folder / name);
     write_text(folder / name / "label", label_of(sealed).dump());
   }
   EXPECT_EQ(files_in(folder / "one"), files_in(folder / "two"));
-  write_case(draw_case(plan, 9), 9, folder / "other");
+  write_sealed(draw_campaign(plan, 9), 9, folder / "other");
   EXPECT_NE(read_text(folder / "other" / "model.toml"), read_text(folder / "one" / "model.toml"));
 }
 
@@ -244,7 +245,7 @@ class SlowBlindSet : public BlindFolder {};
 
 TEST_F(SlowBlindSet, IsTheSameForAnyThreadsAndKeepsWhatIsThere) {
   // One with wrong numbers and one without a gap: quick to draw.
-  SetOptions options{.cases = 2, .seed = 57, .size = SetSize::short_set, .threads = 1};
+  SetOptions options{.campaigns = 2, .seed = 57, .size = SetSize::short_set, .threads = 1};
   generate_set(folder / "one", options, {});
   options.threads = 2;
   generate_set(folder / "two", options, {});

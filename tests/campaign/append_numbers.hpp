@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "measure/data/stored_numbers.hpp"
+#include "measure/formats/stored_numbers.hpp"
 
 namespace secular {
 

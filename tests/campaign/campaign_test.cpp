@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "measure/data/campaign_writer.hpp"
-#include "measure/data/data_file.hpp"
+#include "measure/formats/data_file.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/write_campaign.hpp"

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "measure/data/csv_dialect.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
-#include "measure/data/number_table.hpp"
+#include "measure/formats/csv_dialect.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/number_table.hpp"
 #include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"

@@ -1,4 +1,4 @@
-#include "measure/data/data_file.hpp"
+#include "measure/formats/data_file.hpp"
 
 #include <zlib.h>
 
@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <numbers>
 
-#include "measure/data/clock_stamp.hpp"
-#include "measure/data/csv_dialect.hpp"
-#include "measure/data/names.hpp"
-#include "measure/data/number_table.hpp"
+#include "measure/data/time_axis.hpp"
+#include "measure/formats/channel_name.hpp"
+#include "measure/formats/clock_stamp.hpp"
+#include "measure/formats/csv_dialect.hpp"
+#include "measure/formats/number_table.hpp"
 #include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"

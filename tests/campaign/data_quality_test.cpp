@@ -10,12 +10,12 @@
 #include <random>
 
 #include "measure/data/clipping.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/jitter.hpp"
 #include "measure/data/noise_floor.hpp"
 #include "measure/data/resolution.hpp"
 #include "measure/data/watched_reader.hpp"
+#include "measure/formats/data_file.hpp"
 #include "tests/places.hpp"
 
 namespace secular {

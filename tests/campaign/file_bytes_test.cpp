@@ -1,6 +1,6 @@
-#include "measure/data/file_bytes.hpp"
+#include "measure/formats/file_bytes.hpp"
 
-#include "measure/data/mapped_file.hpp"
+#include "measure/formats/mapped_file.hpp"
 #include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "measure/data/inspection.hpp"
-#include "measure/data/number_table.hpp"
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/formats/number_table.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"

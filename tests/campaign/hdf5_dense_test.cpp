@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/formats/data_file.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/mutation.hpp"
 

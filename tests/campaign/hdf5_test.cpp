@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "measure/data/data_file.hpp"
-#include "measure/data/hdf5_file.hpp"
 #include "measure/data/inspection.hpp"
-#include "measure/data/stored_numbers.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/hdf5_file.hpp"
+#include "measure/formats/stored_numbers.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/mat_writer.hpp"

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "measure/data/inspection.hpp"
-#include "measure/data/unit.hpp"
 #include "measure/data/watched_reader.hpp"
+#include "measure/formats/unit.hpp"
 #include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/mat_writer.hpp"
 #include "tests/campaign/temporary_folder.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "measure/data/lvm_file.hpp"
+#include "measure/formats/lvm_file.hpp"
 #include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/formats/data_file.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/mat_writer.hpp"

@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "measure/data/campaign.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/formats/data_file.hpp"
 #include "tests/campaign/mat_writer.hpp"
 
 namespace secular {

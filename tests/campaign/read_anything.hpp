@@ -5,8 +5,8 @@
 #include <string>
 
 #include "measure/data/campaign.hpp"
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
+#include "measure/formats/data_file.hpp"
 
 namespace secular {
 

@@ -5,10 +5,10 @@
 
 #include <fstream>
 
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/data/record_data.hpp"
-#include "measure/data/uff_file.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/uff_file.hpp"
 #include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/hdf5_writer.hpp"
 #include "tests/campaign/largest_allocation.hpp"

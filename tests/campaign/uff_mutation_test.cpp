@@ -1,8 +1,8 @@
 // Damaged universal and WAV files: whatever the bytes, the outcome is success or an InputError.
 
-#include "measure/data/data_file.hpp"
 #include "measure/data/inspection.hpp"
-#include "measure/data/uff_file.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/uff_file.hpp"
 #include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/mutation.hpp"
 #include "tests/campaign/uff_write.hpp"

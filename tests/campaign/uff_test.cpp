@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include "measure/data/campaign.hpp"
-#include "measure/data/data_file.hpp"
-#include "measure/data/fortran_number.hpp"
 #include "measure/data/inspection.hpp"
-#include "measure/data/uff_file.hpp"
+#include "measure/data/time_axis.hpp"
+#include "measure/formats/data_file.hpp"
+#include "measure/formats/fortran_number.hpp"
+#include "measure/formats/uff_file.hpp"
 #include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/uff_write.hpp"

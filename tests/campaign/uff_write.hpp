@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/data/uff_function.hpp"
+#include "measure/formats/uff_function.hpp"
 
 namespace secular {
 

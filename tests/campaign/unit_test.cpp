@@ -1,4 +1,4 @@
-#include "measure/data/unit.hpp"
+#include "measure/formats/unit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "measure/data/wav_file.hpp"
+#include "measure/formats/wav_file.hpp"
 #include "tests/campaign/append_numbers.hpp"
 #include "tests/campaign/imported_files.hpp"
 #include "tests/campaign/temporary_folder.hpp"

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "diagnose/evidence/resonant_lines.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
@@ -84,6 +86,18 @@ TEST(LineLayout, FindsTheResonanceOfEveryKind) {
   EXPECT_EQ(difference.resonances.front().mode, 1U);
   // Nothing near: forced motion alone.
   EXPECT_TRUE(possible_layouts({100}, 470).front().resonances.empty());
+}
+
+// Two numbers with two meanings, one of which must lie within the other.
+TEST(LineLayout, LooksAtEveryLineThatIsNoSlave) {
+  constexpr std::pair<double, int> multiples[] = {{1, 1}, {2, 2}, {3, 3}, {0.5, 1}, {1.0 / 3, 1}};
+  for (const auto& [multiple, line] : multiples)
+    for (const double sign : {-1.0, 1.0}) {
+      const double frequency = 100 * std::sqrt(1 + sign * least_slaved_stiffness);
+      const LineLayout layout = possible_layouts({100}, frequency / multiple).front();
+      ASSERT_EQ(layout.resonances.size(), 1U) << multiple << ", " << frequency;
+      EXPECT_EQ(layout.resonances.front().line, (LinePhase{line, 0})) << multiple << ", " << frequency;
+    }
 }
 
 }  // namespace

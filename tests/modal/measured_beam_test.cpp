@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "measure/data/mat_file.hpp"
+#include "measure/formats/mat_file.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole.hpp"
 #include "tests/campaign/imported_files.hpp"
