@@ -34,7 +34,10 @@ bool same(double a, double b, double tolerance) {
 }  // namespace
 
 MotionTones::MotionTones(const SearchedRecord& record) : record_(record), rate_(record.rate) {
-  tolerance_ = lobe_bins * record.rate / static_cast<double>(std::max<std::size_t>(1, record.samples()));
+  std::size_t shortest = record.samples();  // that lines were looked for in
+  for (const SearchedChannel& channel : record.channels)
+    if (!channel.lines.empty()) shortest = std::min(shortest, channel.intact.size());
+  tolerance_ = lobe_bins * record.rate / static_cast<double>(std::max<std::size_t>(1, shortest));
   const RecordEntry& entry = record.entry();
   const bool dwell = entry.kind == RecordKind::dwell;
   forced_ = dwell;
