@@ -84,13 +84,6 @@ WatchedReader::Look at_what_counts(const Campaign& campaign, const Window& windo
   };
 }
 
-// Of whole records: a filter would spread held samples and spikes, and hide a converter's steps.
-WatchedReader::Treat treatments(const Campaign& campaign) {
-  return [&campaign](std::size_t index, const Record& record, const std::vector<ChannelValues>& values) {
-    return treatment_of(campaign, index, record, values);
-  };
-}
-
 }  // namespace
 
 void SelectionOptions::add_to(CLI::App& command, SelectionParts parts, CLI::Option* of) {
@@ -156,7 +149,8 @@ void list_clipped_as_left_out(std::vector<Disturbance>& found) {
 SelectedRecords::SelectedRecords(const Campaign& campaign, const Window& window, WatchedReader::Look look)
     : campaign_(campaign),
       window_(window),
-      reader_(campaign, at_what_counts(campaign, window, std::move(look)), treatments(campaign)) {
+      // Of whole records: a filter would spread held samples and spikes, and hide a converter's steps.
+      reader_(campaign, at_what_counts(campaign, window, std::move(look)), treatments_of(campaign)) {
   require_match(campaign, window);
   require_sampled(window, campaign.sample_rate_hz);
   require_samples(campaign, window);

@@ -12,6 +12,7 @@
 #include "estimator/identification/record_scatter.hpp"
 #include "estimator/identification/residual_information.hpp"
 #include "estimator/identification/row_noise.hpp"
+#include "estimator/identification/window_overlap.hpp"
 #include "estimator/model/zero_frequency.hpp"
 #include "estimator/regression/condensed_rows.hpp"
 #include "estimator/thresholds.hpp"
@@ -124,6 +125,7 @@ class CaseRegression {
                                {.noisy_before = reweighting_.start ? reweighting_.start->noisy : std::nullopt,
                                 .threads = reweighting_.threads});
       take_phases_into_account(result_.fit);
+      take_overlap_into_account(result_.fit);
       take_records_into_account();
       take(result_.fit.coefficients);
       block_residuals(result_.fit.residual);
@@ -187,6 +189,18 @@ class CaseRegression {
     if (fit.covariance_kind == CovarianceKind::clustered) return;
     fit.covariance *= factor;
     fit.degrees_of_freedom -= taken;
+  }
+
+  // docs/inference.md (45): where there are too few stretches the scatter of all windows tells the error bars.
+  void take_overlap_into_account(LinearFit& fit) {
+    if (case_.excited) return;
+    result_.overlap = window_overlap(result_, adjusted_data_ ? *adjusted_data_ : data_, rows_by_noise_);
+    const WindowOverlap& overlap = result_.overlap;
+    if (fit.covariance_kind == CovarianceKind::clustered || !(overlap.left > 0 && overlap.left_squared > 0)) return;
+    const MatrixXd spread = fit.basis * Eigen::PartialPivLU<MatrixXd>(fit.kept).inverse();
+    fit.plain_covariance = fit.residual.squaredNorm() / overlap.left * (spread * overlap.gram * spread.transpose());
+    fit.covariance = fit.plain_covariance;
+    fit.degrees_of_freedom = overlap.left * overlap.left / overlap.left_squared;
   }
 
   // The degrees of freedom are those of the coefficient that records move most.
@@ -351,6 +365,7 @@ class CaseRegression {
     system.noise_sd.resize(rows);
     system.colouring.resize(pass == Pass::first ? 0 : with_rows.size());
     system.by_phase.resize(set_.phase_unknown ? system.colouring.size() : 0);
+    if (pass == Pass::last && !case_.excited) rows_by_noise_.resize(with_rows.size());
     const std::size_t chunks = (with_rows.size() + chunk - 1) / chunk;
     std::vector<ColumnErrors> errors(pass == Pass::last ? chunks : 0,
                                      {MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)});
@@ -417,6 +432,11 @@ class CaseRegression {
       take_out_direction(direction, system.response.segment(begin, count));
     }
     if (!errors) return;
+    if (!case_.excited) {
+      MatrixXd noises(count, rows.variants.cols() + count);
+      noises << rows.variants, MatrixXd(rows.own_variance.cwiseSqrt().asDiagonal());
+      rows_by_noise_[number] = noise.whitened(noises);
+    }
     const std::vector<EquationData::ColumnError> changes = data.column_errors(i, result_.columns);
     const auto size = count * static_cast<Index>(changes.size());
     MatrixXd whitened(size, rows.design.cols());
@@ -520,6 +540,7 @@ class CaseRegression {
   std::vector<double> reference_, offset_;
   ObservationSet adjusted_;                    // measured values moved to where the equations hold
   std::optional<EquationData> adjusted_data_;  // of `adjusted_`; empty: not adjusted
+  std::vector<MatrixXd> rows_by_noise_;        // of window_overlap
   std::vector<VectorXd> moved_;                // by observation: how far, in standard deviations
   std::map<std::size_t, double> scale_;
   VectorXd values_;

@@ -78,6 +78,14 @@ struct ResidualInformation {
   Eigen::VectorXd target;
 };
 
+/// Windows of a decay share noise where they overlap: docs/inference.md (44), (45). With the correlations Omega
+/// that this leaves between whitened rows and Q, which takes the mean of each equation out of each condition:
+struct WindowOverlap {
+  Eigen::MatrixXd gram;                     ///< U' Omega U, of LinearFit::orthonormal; empty: no windows
+  double repeats = 0, repeats_squared = 0;  ///< trace of Q Omega, and of its square
+  double left = 0, left_squared = 0;        ///< the same with I - UU' in place of Q
+};
+
 /// Linear regression of one case's equations on its lumps and natural frequencies.
 struct CaseFit {
   const ObservationSet* set = nullptr;
@@ -90,6 +98,7 @@ struct CaseFit {
   /// Columns x directions: how coefficients change with ObservationSet::truncation_change.
   Eigen::MatrixXd truncation_effect, moves_effect;  ///< the second with ObservationSet::truncation_of_moves
   ResidualInformation residual_information;
+  WindowOverlap overlap;                              ///< of a decay's windows
   std::vector<ScatterBetweenRecords> record_scatter;  ///< of natural frequencies that several records tell
   Eigen::MatrixXd record_moves;                       ///< RecordScatter::moves; part of the fit's covariance
   double record_freedom = INFINITY;                   ///< of that part

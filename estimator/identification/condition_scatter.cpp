@@ -65,7 +65,11 @@ std::optional<ClusterScatter> condition_scatter(std::span<const CommonFit> cases
     const Eigen::PartialPivLU<MatrixXd> kept(rows.kept);
     const VectorXd left = left_by_common_fit(c);
     const double noise = rows.repeat_variance / (rows.residual_sd * rows.residual_sd);
-    const VectorXd of_case = noise * (spread * part.transpose()).rowwise().squaredNorm();
+    const MatrixXd by_coordinate = spread * part.transpose();
+    const VectorXd of_case =
+        rows.repeat_gram.size() > 0
+            ? VectorXd(noise * (by_coordinate * rows.repeat_gram).cwiseProduct(by_coordinate).rowwise().sum())
+            : VectorXd(noise * by_coordinate.rowwise().squaredNorm());
     repeats += of_case;
     if (rows.repeat_freedom > 0) repeats_error += of_case.cwiseAbs2() / rows.repeat_freedom;
     for (std::size_t g = 0; g < rows.gram.size(); ++g) {

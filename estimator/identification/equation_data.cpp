@@ -296,6 +296,30 @@ Complex EquationData::modulation_change(const Quantity& quantity, Complex step, 
   return 0;
 }
 
+MatrixXd EquationData::correlation(const WindowPair& pair) const {
+  const auto count = static_cast<Index>(quantities_.size());
+  MatrixXd result = MatrixXd::Zero(count, count);
+  for (Index a = 0; a < count; ++a)
+    for (Index b = 0; b < count; ++b) {
+      const Quantity& here = quantities_[static_cast<std::size_t>(a)];
+      const Quantity& later = quantities_[static_cast<std::size_t>(b)];
+      if (here.index != later.index) continue;
+      const ToneOverlap& of = pair.mode[here.index];
+      if (a == b)
+        result(a, b) = here.kind == Kind::amplitude ? of.amplitudes : of.slopes;
+      else if (is_slope_of(here, later))
+        result(a, b) = of.slope_later;
+      else if (is_slope_of(later, here))
+        result(a, b) = of.slope_earlier;
+    }
+  return result;
+}
+
+// Growth is the slope along the amplitude, frequency that across it.
+bool EquationData::is_slope_of(const Quantity& amplitude, const Quantity& slope) {
+  return amplitude.kind == Kind::amplitude && slope.kind == (amplitude.imaginary ? Kind::frequency : Kind::growth);
+}
+
 void EquationData::move(Observation& o, const VectorXd& deviations) const {
   for (std::size_t q = 0; q < quantities_.size(); ++q) {
     const Quantity& quantity = quantities_[q];

@@ -57,6 +57,9 @@ class EquationData {
   /// Number of varied quantities.
   Eigen::Index quantities() const { return static_cast<Eigen::Index>(quantities_.size()); }
 
+  /// Quantities x quantities: their correlations in a window of a decay and, by column, in the later one of `pair`.
+  Eigen::MatrixXd correlation(const WindowPair& pair) const;
+
   /// Takes `deviations` standard deviations (by varied quantity) off an observation.
   void move(Observation& observation, const Eigen::VectorXd& deviations) const;
 
@@ -79,6 +82,7 @@ class EquationData {
     bool imaginary;
   };
   double sd(const Quantity& q, const Observation& o) const;
+  static bool is_slope_of(const Quantity& amplitude, const Quantity& slope);
   std::complex<double> step(const Quantity& q, const Observation& o, double size) const;
   bool present(std::size_t block, const Observation& o) const;
   std::complex<double> modulation_change(const Quantity& quantity, std::complex<double> step, const Observation& o,

@@ -66,6 +66,14 @@ void note_repeats(const CaseFit& fit, RowsByCondition& rows) {
     squares += std::max(0.0, repeats.squares - repeats.sum * repeats.sum / repeats.weights);
     freedom += repeats.count - 1;
   }
+  if (fit.overlap.gram.size() > 0) {  // docs/inference.md (45)
+    const WindowOverlap& overlap = fit.overlap;
+    rows.repeat_gram = overlap.gram;
+    if (!(overlap.repeats_squared > 0)) return;
+    rows.repeat_freedom = overlap.repeats * overlap.repeats / overlap.repeats_squared;
+    rows.repeat_variance = squares / overlap.repeats;
+    return;
+  }
   const auto all = static_cast<double>(fit.fit.residual.size());
   rows.repeat_freedom = freedom * (1 - static_cast<double>(system.by_phase.size()) / all);
   rows.repeat_variance = rows.repeat_freedom > 0 ? squares / rows.repeat_freedom : 0;

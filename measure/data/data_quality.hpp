@@ -10,7 +10,7 @@ namespace secular {
 
 /// Something wrong or doubtful in data, for the person who has to decide about it.
 struct DataFault {
-  std::string kind;  ///< missing | constant | range | clipping | offset | coarse | time | unreadable
+  std::string kind;  ///< missing | fill_value | constant | range | clipping | offset | coarse | time | unreadable
   std::string text;  ///< "6 of 1000 samples are missing, first at line 12"
 };
 

@@ -11,6 +11,7 @@
 #include "measure/data/jitter.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
+#include "measure/data/number_table.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/recorded_span.hpp"
 #include "measure/formats/csv_header.hpp"
@@ -18,6 +19,7 @@
 #include "measure/formats/matrix_lines.hpp"
 #include "measure/formats/unit.hpp"
 #include "measure/thresholds.hpp"
+#include "numerics/fill_gaps.hpp"
 
 namespace secular {
 namespace {
@@ -100,6 +102,23 @@ void note_filled(const std::vector<std::size_t>& filled, std::size_t samples, Ch
       {"missing", fmt::format("{} of {} samples are no finite numbers, first sample {}: replaced by what those "
                               "around them tell",
                               filled.size(), samples, filled.front() + 1)});
+}
+
+// Levels and faults of what is left beside a number that stands for none, and that number.
+ChannelQuality check_variable(std::vector<double> values) {
+  const std::optional<FillValue> fill = suspected_fill_value(values);
+  if (!fill) return check_channel(values);
+  std::replace(values.begin(), values.end(), fill->value, std::nan(""));
+  ChannelQuality quality = check_channel(values);
+  std::erase_if(quality.faults, [](const DataFault& fault) { return fault.kind == "missing"; });
+  quality.faults.insert(
+      quality.faults.begin(),
+      {"fill_value",
+       fmt::format("{} of {} samples are {}, first sample {}: it seems to stand for samples that are "
+                   "missing; write nan in its place (up to {} in a row are replaced by what those "
+                   "around them tell)",
+                   fill->count, values.size(), number_text(fill->value), fill->first + 1, longest_filled)});
+  return quality;
 }
 
 // Without those that a number stood for which was none (Unrecorded).
@@ -263,7 +282,7 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
     inspection.variables.push_back({variable.name, variable.shape, variable.type, variable.unit,
                                     variable.stated_unit, variable.fault, std::nullopt});
     if (!variable.fault.empty()) continue;
-    inspection.variables.back().quality = check_channel(variable.values);
+    inspection.variables.back().quality = check_variable(variable.values);
     if (is_called_time(variable.name) ||
         variable.name == inspection.time) {  // neither an offset nor a ramp is a fault of time
       inspection.variables.back().quality->faults.clear();

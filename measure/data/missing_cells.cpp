@@ -9,6 +9,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/lost_rows.hpp"
+#include "measure/data/number_table.hpp"
 #include "measure/data/recorded_span.hpp"
 #include "numerics/fill_gaps.hpp"
 
@@ -53,6 +54,51 @@ std::size_t drop_fill_values(std::vector<double>& samples) {
     all += static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), stands_for_none));
     std::replace_if(samples.begin(), samples.end(), stands_for_none, std::nan(""));
   }
+}
+
+namespace {
+
+// 999, 9999.9: nines and no other digit, as a person or a program writes where a number lacks.
+bool is_nines(double x) {
+  const std::string text = number_text(std::abs(x));
+  const auto nines = std::count(text.begin(), text.end(), '9'), points = std::count(text.begin(), text.end(), '.');
+  return nines >= 3 && nines + points == static_cast<std::ptrdiff_t>(text.size());
+}
+
+bool is_end_of_integers(double x) {
+  return x == -32768 || x == 32767 || x == 65535 || x == -2147483648.0 || x == 2147483647.0 || x == 4294967295.0;
+}
+
+}  // namespace
+
+std::optional<FillValue> suspected_fill_value(std::span<const double> samples) {
+  double low = INFINITY, high = -INFINITY;
+  for (const double x : samples)
+    if (std::isfinite(x)) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  std::vector<double> others(samples.begin(), samples.end());
+  const bool out_of_all_reach = drop_fill_values(others) > 0;
+  for (const double value : {low, high}) {
+    if (!std::isfinite(value)) continue;
+    const bool dropped = out_of_all_reach && std::find(others.begin(), others.end(), value) == others.end();
+    if (!dropped && !is_nines(value) && !is_end_of_integers(value)) continue;
+    FillValue fill{value, 0, samples.size()};
+    double least = INFINITY, most = -INFINITY;  // of the others
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (samples[i] == value) {
+        ++fill.count;
+        fill.first = std::min(fill.first, i);
+      } else if (std::isfinite(others[i])) {
+        least = std::min(least, samples[i]);
+        most = std::max(most, samples[i]);
+      }
+    }
+    const double away = value < least ? least - value : value - most;
+    if (least <= most && away > most - least) return fill;
+  }
+  return std::nullopt;
 }
 
 MissingCells fill_missing_cells(std::vector<std::vector<double>>& channels) {

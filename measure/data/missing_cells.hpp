@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,16 @@ MissingCells missing_cells(const std::vector<std::vector<double>>& channels);
 /// more, that is 1e8 times as large as all others. Next to it these are equal (SameValue): no motion has both. Sets
 /// such samples to NaN; a channel that is zero otherwise stays as it is. Returns how many there are.
 std::size_t drop_fill_values(std::vector<double>& samples);
+
+/// A number that seems to stand for none in a file, by what is usual: -999, 9999, 99999.9 (nines alone, three or
+/// more), the ends of the range of integers of 16 and 32 bits, or what drop_fill_values() takes for such.
+struct FillValue {
+  double value = 0;
+  std::size_t count = 0, first = 0;  ///< samples that hold it
+};
+
+/// One that is farther from all other samples than they are from each other; nothing where there is none.
+std::optional<FillValue> suspected_fill_value(std::span<const double> samples);
 
 /// Puts in what fill_gaps finds for them; where it finds nothing they stay. Returns those that were filled.
 MissingCells fill_missing_cells(std::vector<std::vector<double>>& channels);

@@ -127,7 +127,7 @@ std::size_t WatchedReader::clipped_records() const {
   }));
 }
 
-std::vector<std::string> WatchedReader::warnings() const {
+std::vector<std::string> WatchedReader::warnings(WhatIsLeft left) const {
   const std::lock_guard lock(mutex_);
   std::vector<std::string> warnings;
   for (std::size_t c = 0; c < campaign_.channels.size(); ++c) {
@@ -150,11 +150,13 @@ std::vector<std::string> WatchedReader::warnings() const {
   }
   for (const auto& [record, seen] : seen_)
     if (seen.not_replaced > 0)
-      warnings.push_back(
-          fmt::format("{}: {} rows whose samples its file holds wrongly (held, lost, spikes) lie too close or are "
-                      "too many in a "
-                      "row to be replaced: the stretch between them that holds most of the motion counts",
-                      campaign_.records[record].file, seen.not_replaced));
+      warnings.push_back(fmt::format(
+          "{}: {} rows whose samples its file holds wrongly (held, lost, spikes) lie too close or are "
+          "too many in a "
+          "row to be replaced: {}",
+          campaign_.records[record].file, seen.not_replaced,
+          left == WhatIsLeft::used ? "they are used as they are; --from and --to choose a stretch without them"
+                                   : "the stretch between them that holds most of the motion counts"));
   const auto worst = std::max_element(seen_.begin(), seen_.end(), [](const auto& a, const auto& b) {
     return a.second.jitter_of_step < b.second.jitter_of_step;
   });

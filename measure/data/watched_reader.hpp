@@ -61,7 +61,12 @@ class WatchedReader {
 
   /// One line for each channel that is clipped in some of the records that were read, one for each record with
   /// samples that could not be replaced, and one for the time stamps that scatter most.
-  std::vector<std::string> warnings() const;
+  /// `left`: what becomes of the latter.
+  enum class WhatIsLeft {
+    left_out,  ///< the stretch between them counts
+    used,      ///< they are used as they are
+  };
+  std::vector<std::string> warnings(WhatIsLeft left = WhatIsLeft::left_out) const;
 
  private:
   const Campaign& campaign_;

@@ -35,9 +35,9 @@ void find_foreign_tones(const SearchedRecord& record, std::vector<Disturbance>& 
   const std::vector<double> others = lines_of_all(record, motion);
   for (std::size_t c = 0; c < record.channels.size(); ++c)
     for (const Line& line : record.channels[c].lines) {
-      if (record.channels[c].is_broken || !line.steady) continue;
+      if (!line.steady) continue;
       if (motion.make(line.frequency_hz, others) && !motion.is_outlasted_by(line)) continue;
-      Disturbance tone = record.found("foreign_tone", c, line.amplitude);
+      Disturbance tone = record.found_in_intact("foreign_tone", c, line.amplitude);
       tone.frequency_hz = line.frequency_hz;
       tone.text = fmt::format("a steady tone of {:.5g} Hz and {:.3g} {} that excitation and motion do not make{}",
                               line.frequency_hz, line.amplitude, tone.unit, mains_name(line.frequency_hz));

@@ -34,7 +34,10 @@ bool same(double a, double b, double tolerance) {
 }  // namespace
 
 MotionTones::MotionTones(const SearchedRecord& record) : record_(record), rate_(record.rate) {
-  tolerance_ = lobe_bins * record.rate / static_cast<double>(std::max<std::size_t>(1, record.samples()));
+  std::size_t shortest = record.samples();  // that lines were looked for in
+  for (const SearchedChannel& channel : record.channels)
+    if (!channel.lines.empty()) shortest = std::min(shortest, channel.intact.size());
+  tolerance_ = lobe_bins * record.rate / static_cast<double>(std::max<std::size_t>(1, shortest));
   const RecordEntry& entry = record.entry();
   const bool dwell = entry.kind == RecordKind::dwell;
   forced_ = dwell;
@@ -51,7 +54,7 @@ MotionTones::MotionTones(const SearchedRecord& record) : record_(record), rate_(
     if (tonal && !dwell && !record.is_excitation(c) && line->amplitude > largest_share * channel.rms) {
       largest_share = line->amplitude / channel.rms;
       generators_ = {line->frequency_hz};
-      change_ = change_between_halves(channel.samples);
+      change_ = change_between_halves(channel.intact);
     }
   }
   if (dwell && generators_.empty() && entry.excitation_frequency_hz)

@@ -81,7 +81,7 @@ struct Zero {
 // Blocks up to the last in which the motion is as large as noise and step: where it comes to rest, dry friction has
 // a say.
 Index blocks_in_motion(const SearchedChannel& channel, const VectorXd& square) {
-  const double noise = std::max(noise_floor(channel.samples).value_or(0), channel.values->grid.step.value_or(0));
+  const double noise = std::max(noise_floor(channel.intact).value_or(0), channel.values->grid.step.value_or(0));
   Index last = square.size();
   while (last > 0 && square(last - 1) <= 2 * noise * noise) --last;
   return last;
@@ -108,10 +108,12 @@ bool is_driven(const SearchedRecord& record) {
 // What the motion's own mean may follow: its mean square, and the mean of what drives it (below all resonances a
 // structure follows as a spring), each over its largest.
 MatrixXd followed(const SearchedRecord& record, std::size_t c, const VectorXd& square, std::size_t length) {
+  const std::size_t first = record.channels[c].intact_from(), count = record.channels[c].intact.size();
   std::vector<VectorXd> drives;
   for (std::size_t e = 0; e < record.channels.size() && is_driven(record); ++e)
     if (record.is_excitation(e) && e != c)
-      drives.push_back(block_means(record.channels[e].samples, length).mean.head(square.size()));
+      drives.push_back(
+          block_means(record.channels[e].samples.subspan(first, count), length).mean.head(square.size()));
   const Index own = own_terms(record.channel(c));
   MatrixXd follows(square.size(), own + static_cast<Index>(drives.size()));
   const VectorXd relative = square / std::max(square.maxCoeff(), 1e-300);
@@ -124,7 +126,8 @@ MatrixXd followed(const SearchedRecord& record, std::size_t c, const VectorXd& s
 // The zero of a channel, from means of blocks of that length.
 std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::size_t length) {
   const SearchedChannel& channel = record.channels[c];
-  const std::span<const double> samples = motion_of(record, channel.samples);
+  // What stays wrong has a mean of its own.
+  const std::span<const double> samples = motion_of(record, channel.intact);
   if (samples.size() < 2 * length) return std::nullopt;
   BlockMeans blocks = block_means(samples, length);
   const Index rows =
@@ -193,12 +196,11 @@ bool has_no_mean(const Channel& channel) {
 void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found) {
   const std::size_t length = block_length(record);
   for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
-    if (record.channels[c].is_broken) continue;  // what stays wrong has a mean of its own
     const bool no_mean = has_no_mean(record.channel(c));
     if (!no_mean && record.entry().kind == RecordKind::dwell) continue;  // the motion's own mean is as steady
     const std::optional<Zero> zero = zero_of(record, c, length);
     if (!zero || two_sided_p_value(zero->offset / zero->offset_sd, zero->freedom) > record.level) continue;
-    Disturbance offset = record.found("offset", c, std::abs(zero->offset));
+    Disturbance offset = record.found_in_intact("offset", c, std::abs(zero->offset));
     offset.text = fmt::format("the zero is off by {:.3g} {} (sd {:.1g}){}", zero->offset, offset.unit,
                               zero->offset_sd, no_mean ? "" : ", or the position of rest is");
     found.push_back(std::move(offset));
@@ -208,10 +210,9 @@ void find_offsets(const SearchedRecord& record, std::vector<Disturbance>& found)
 void find_wander(const SearchedRecord& record, std::vector<Disturbance>& found) {
   const std::size_t length = block_length(record);
   for (std::size_t c = 0; length > 0 && c < record.channels.size(); ++c) {
-    if (record.channels[c].is_broken) continue;
     const std::optional<Zero> zero = zero_of(record, c, length);
     if (!zero || zero->probability > record.level) continue;
-    Disturbance wander = record.found(
+    Disturbance wander = record.found_in_intact(
         "offset_wander", c, std::sqrt(zero->wander.squaredNorm() / static_cast<double>(zero->wander.size())));
     wander.text = fmt::format("the zero wanders by {:.3g} {} rms, from {:.3g} to {:.3g} about its mean",
                               wander.size, wander.unit, zero->wander.minCoeff(), zero->wander.maxCoeff());

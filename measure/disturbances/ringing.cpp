@@ -67,10 +67,10 @@ std::vector<Ring> apart(std::vector<Ring> rings, double rate) {
 
 std::vector<Ring> rings_of(const SearchedRecord& record, const SearchedChannel& channel) {
   std::vector<Ring> rings;
-  const std::size_t samples = channel.samples.size();
+  const std::size_t samples = channel.intact.size();
   const double of_bin = record.level / (static_cast<double>(samples) / 16);  // bins of all lengths together
   for (std::size_t length = samples / 16; length >= shortest_block; length /= 2)
-    look_through(channel.samples, static_cast<std::size_t>(cut_transform_length(static_cast<Eigen::Index>(length))),
+    look_through(channel.intact, static_cast<std::size_t>(cut_transform_length(static_cast<Eigen::Index>(length))),
                  record.rate, of_bin, rings);
   return apart(std::move(rings), record.rate);
 }
@@ -85,7 +85,7 @@ Disturbance described(const SearchedRecord& record, std::size_t c, const Ring& r
     sum += window[i] * std::exp(-rate * static_cast<double>(i) / record.rate);
     whole += window[i];
   }
-  Disturbance found = record.found("neighbour_mode", c, 2 * std::sqrt(ring.first) / sum);
+  Disturbance found = record.found_in_intact("neighbour_mode", c, 2 * std::sqrt(ring.first) / sum);
   found.frequency_hz = ring.frequency_hz;
   const double noise = 2 * std::sqrt(ring.late) / whole;
   if (rate > 0 && found.size > noise)
@@ -105,7 +105,8 @@ void find_ringing(const SearchedRecord& record, std::vector<Disturbance>& found)
   std::vector<double> all;
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     rings.emplace_back();
-    if (record.is_excitation(c) || record.channels[c].is_broken) continue;  // a break sounds like a ring
+    // What rings does so from the begin on; a break sounds like it.
+    if (record.is_excitation(c) || record.channels[c].intact_from() > 0) continue;
     rings.back() = rings_of(record, record.channels[c]);
     for (const Ring& ring : rings.back()) all.push_back(ring.frequency_hz);
   }

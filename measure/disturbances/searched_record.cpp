@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "measure/data/false_alarm.hpp"
+#include "measure/disturbances/answered_blows.hpp"
 #include "measure/disturbances/catalogue.hpp"
 #include "measure/disturbances/motion_events.hpp"
 #include "numerics/fill_gaps.hpp"
@@ -20,18 +21,33 @@ double rms_about_mean(std::span<const double> samples) {
   return std::sqrt(square);
 }
 
+// The longest stretch beside samples at `places`, rising.
+std::span<const double> longest_beside(std::span<const double> samples, const std::vector<std::size_t>& places) {
+  std::span<const double> best;
+  std::size_t begin = 0;
+  const auto end_at = [&](std::size_t end) {
+    if (end - begin > best.size()) best = samples.subspan(begin, end - begin);
+    begin = end + 1;
+  };
+  for (const std::size_t place : places) end_at(place);
+  end_at(samples.size());
+  return best;
+}
+
 // Puts the samples right that are to be replaced, and looks for lines in what is left.
 void put_right(SearchedChannel& channel, std::span<const double> samples, std::vector<std::size_t> masked,
                double rate, double level) {
   channel.masked = std::move(masked);
   channel.samples = samples;
-  channel.is_broken = false;
+  std::vector<std::size_t> left;
   if (!channel.masked.empty()) {
     channel.mended.assign(samples.begin(), samples.end());
-    channel.is_broken = !fill_gaps(channel.mended, channel.masked).empty();
+    left = fill_gaps(channel.mended, channel.masked);
     channel.samples = channel.mended;
   }
-  channel.lines = find_lines(channel.samples, rate, level, &channel.powers);
+  channel.is_broken = !left.empty();
+  channel.intact = longest_beside(channel.samples, left);
+  channel.lines = find_lines(channel.intact, rate, level, &channel.powers);
 }
 
 // What the motion makes itself is not wrong. How long its turns are is told without all that may be.
@@ -53,6 +69,28 @@ void look_at(SearchedChannel& channel, const RecordEntry& entry, bool excitation
   std::vector<std::size_t> masked = in_one({wrong.marks.at, channel.is_held ? held : std::vector<std::size_t>(),
                                             channel.has_spikes ? spikes : std::vector<std::size_t>()});
   if (masked != channel.masked) put_right(channel, samples, std::move(masked), rate, level);
+}
+
+// Spikes of an excitation that responses answer are blows of one sample.
+void keep_blows(SearchedRecord& record, const std::vector<std::span<const double>>& stretch) {
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    SearchedChannel& channel = record.channels[c];
+    if (!record.is_excitation(c) || !channel.has_spikes) continue;
+    std::vector<Impulses::One>& spikes = channel.wrong.impulses.spikes;
+    const std::vector<std::size_t> places = places_of(spikes);
+    std::vector<std::size_t> blows;
+    for (std::size_t r = 0; r < record.channels.size(); ++r)
+      if (!record.is_excitation(r)) blows = in_one({blows, answered_blows(record.channels[r].samples, places)});
+    if (blows.empty()) continue;
+    std::erase_if(spikes,
+                  [&](const Impulses::One& one) { return std::binary_search(blows.begin(), blows.end(), one.at); });
+    channel.has_spikes = !spikes.empty();
+    std::vector<std::size_t> masked = channel.masked;
+    std::erase_if(masked, [&](std::size_t at) { return std::binary_search(blows.begin(), blows.end(), at); });
+    channel.mended.clear();
+    put_right(channel, stretch[c], std::move(masked), record.rate, record.level);
+    channel.rms = rms_about_mean(channel.samples);
+  }
 }
 
 }  // namespace
@@ -88,6 +126,14 @@ Disturbance SearchedRecord::found(std::string_view kind, std::size_t c, double s
   return disturbance;
 }
 
+Disturbance SearchedRecord::found_in_intact(std::string_view kind, std::size_t c, double size) const {
+  Disturbance disturbance = found(kind, c, size);
+  const SearchedChannel& searched = channels[c];
+  disturbance.from_s = time_s(searched.intact_from());
+  disturbance.to_s = time_s(searched.intact_from() + searched.intact.size());
+  return disturbance;
+}
+
 SearchedRecord searched(const Campaign& campaign, std::size_t index, const Record& record,
                         const std::vector<ChannelValues>& values) {
   SearchedRecord result;
@@ -114,6 +160,7 @@ SearchedRecord searched(const Campaign& campaign, std::size_t index, const Recor
         record.start_s + static_cast<double>(stretch[c].data() - samples.data()) / record.sample_rate_hz;
     result.channels.push_back(std::move(channel));
   }
+  keep_blows(result, stretch);
   return result;
 }
 

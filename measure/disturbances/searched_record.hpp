@@ -28,6 +28,11 @@ struct SearchedChannel {
   std::vector<std::size_t> masked;                               ///< what is replaced, rising
   std::vector<double> mended;                                    ///< empty where nothing is
   bool is_broken = false;  ///< some of the masked stay as they are, since nothing around tells them
+  /// The longest stretch of `samples` without such ones: all of them where none is. Lines and powers are its.
+  std::span<const double> intact;
+
+  /// The sample that it begins with.
+  std::size_t intact_from() const { return static_cast<std::size_t>(intact.data() - samples.data()); }
 
   /// Disturbance::treated of wrong samples.
   std::string_view treated_as() const { return is_broken ? "left_out" : "masked"; }
@@ -52,6 +57,8 @@ struct SearchedRecord {
 
   /// Something of that size all over one channel, in the channel's unit.
   Disturbance found(std::string_view kind, std::size_t channel, double size) const;
+  /// The same over what is intact of it.
+  Disturbance found_in_intact(std::string_view kind, std::size_t channel, double size) const;
 };
 
 /// Of accelerations and velocities of a bounded motion the mean is zero, as that of an excitation; quadratic terms

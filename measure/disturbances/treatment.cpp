@@ -83,4 +83,10 @@ Treatment treatment_of(const Campaign& campaign, std::size_t index, const Record
   return treatment;
 }
 
+WatchedReader::Treat treatments_of(const Campaign& campaign) {
+  return [&campaign](std::size_t index, const Record& record, const std::vector<ChannelValues>& values) {
+    return treatment_of(campaign, index, record, values);
+  };
+}
+
 }  // namespace secular

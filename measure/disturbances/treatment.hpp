@@ -13,4 +13,7 @@ namespace secular {
 Treatment treatment_of(const Campaign& campaign, std::size_t index, const Record& record,
                        const std::vector<ChannelValues>& values);
 
+/// The same for each record of a campaign, which must live as long.
+WatchedReader::Treat treatments_of(const Campaign& campaign);
+
 }  // namespace secular

@@ -76,6 +76,20 @@ class TextFile {
   std::optional<std::string> made_;
 };
 
+constexpr double day_s = 86400;
+
+// Times of day go on behind midnight: a stamp that is earlier than the one before by more than half a day is of the
+// next one. (A clock that is set back goes back by less.)
+void continue_behind_midnight(std::vector<double>& stamps) {
+  double days = 0, before = -day_s;
+  for (double& stamp : stamps) {
+    if (!std::isfinite(stamp)) continue;
+    while (stamp + days < before - day_s / 2) days += day_s;
+    stamp += days;
+    before = stamp;
+  }
+}
+
 /// Puts the fields of rows into the columns of a table.
 struct RowReader {
   const CsvHeader& header;
@@ -83,7 +97,8 @@ struct RowReader {
   MissingNumbers missing;
   const std::string& file;
   DecimalMarks& marks;
-  DecimalMark mark;  // where it is known
+  DecimalMark mark;          // where it is known
+  std::vector<bool>& clock;  // by column of the table: a time of day without a date stands in its first row
 
   void read(std::string_view line, std::size_t line_number, NumberTable& table) const {
     std::size_t fields = 0;
@@ -109,7 +124,10 @@ struct RowReader {
           refuse(file, fmt::format("line {}, column {}", line_number, header.names[fields - 1]), fault, field);
         value = std::numeric_limits<double>::quiet_NaN();
       }
-      table.columns[target[fields - 1]].push_back(value);
+      const std::size_t column = target[fields - 1];
+      if (table.columns[column].empty())
+        clock[column] = value < 2 * day_s && field.find(':') != std::string_view::npos;
+      table.columns[column].push_back(value);
     }
     if (fields != target.size())
       throw InputError(file, fmt::format("line {}", line_number),
@@ -139,8 +157,9 @@ std::string_view last_line(std::string_view rows, char line_break) {
 void read_last_row(const RowReader& reader, NumberTable& table) {
   NumberTable last;
   last.columns.resize(table.columns.size());
-  RowReader forgiving = reader;
-  forgiving.missing = MissingNumbers::keep_as_nan;
+  std::vector<bool> ignored(table.columns.size(), false);
+  RowReader forgiving{reader.header, reader.target, MissingNumbers::keep_as_nan, reader.file, reader.marks,
+                      reader.mark,   ignored};
   try {
     const CsvHeader& header = reader.header;
     forgiving.read(row_of(last_line(header.rows, header.line_break), header.dialect.separator), 0, last);
@@ -148,6 +167,16 @@ void read_last_row(const RowReader& reader, NumberTable& table) {
     return;  // cut off: nothing is known of the end
   }
   for (const std::vector<double>& column : last.columns) table.last_row.push_back(column.front());
+}
+
+// The last row of a file of which the first rows were read is of the day that they lead to.
+void continue_to_last_row(NumberTable& table, std::size_t column) {
+  const std::vector<double>& stamps = table.columns[column];
+  if (table.last_row.empty() || stamps.size() < 2) return;
+  const double step = (stamps.back() - stamps.front()) / static_cast<double>(stamps.size() - 1);
+  const double expected = stamps.back() + step * static_cast<double>(table.total_rows - table.rows());
+  if (const double days = std::round((expected - table.last_row[column]) / day_s); days > 0)
+    table.last_row[column] += days * day_s;
 }
 
 void read_rows(const RowReader& reader, TextFile& text, std::size_t limit, NumberTable& table) {
@@ -250,7 +279,13 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
   const std::size_t lines = count_lines(header, text, limit);
   for (std::vector<double>& column : table.columns) column.reserve(lines);
   DecimalMarks marks;
-  read_rows({header, target, missing, file, marks, mark}, text, limit, table);
+  std::vector<bool> clock(table.names.size(), false);
+  read_rows({header, target, missing, file, marks, mark, clock}, text, limit, table);
+  for (std::size_t c = 0; c < clock.size(); ++c) {
+    if (!clock[c]) continue;
+    continue_behind_midnight(table.columns[c]);
+    continue_to_last_row(table, c);
+  }
   if (table.rows() == 0) throw InputError(file, "", "has a header but no rows", "rows of numbers were expected");
   return table;
 }

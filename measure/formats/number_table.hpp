@@ -45,7 +45,7 @@ CsvName bracketed_unit(const std::string& name);
 /// CRLF, byte order mark, blanks and trailing empty lines are accepted. Only the `wanted` columns are read, in that
 /// order (empty: all), and at most `limit` rows of them. Throws InputError with the line for a row of another
 /// length, a field that is no finite number (unless `missing` keeps it), a wanted column that is not there, two
-/// columns of one name, and for a file without rows.
+/// columns of one name, and for a file without rows. Times of day without a date go on behind midnight.
 NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
                      MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values,
                      DecimalMark mark = DecimalMark::by_dialect);

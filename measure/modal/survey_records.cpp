@@ -9,6 +9,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/data/file_pattern.hpp"
+#include "measure/disturbances/treatment.hpp"
 #include "measure/modal/decimation.hpp"
 #include "measure/signal/transform_length.hpp"
 
@@ -110,7 +111,8 @@ struct SurveyRecords::Part {
 
 SurveyRecords::~SurveyRecords() = default;
 
-SurveyRecords::SurveyRecords(ModalSurvey& survey) : survey_(survey) {
+SurveyRecords::SurveyRecords(ModalSurvey& survey)
+    : survey_(survey), reader_(survey.campaign, {}, treatments_of(survey.campaign)) {
   choose_channels(survey);
   const Campaign& campaign = survey.campaign;
   for (std::size_t c = 0; c < campaign.channels.size() && !force_; ++c)

@@ -73,7 +73,7 @@ class SurveyRecords {
   ImpactBlock impact(const ImpactPlace& place);
 
   /// What is wrong with the samples of the records read.
-  std::vector<std::string> faults() const { return reader_.warnings(); }
+  std::vector<std::string> faults() const { return reader_.warnings(WatchedReader::WhatIsLeft::used); }
 
  private:
   struct Part;
@@ -83,7 +83,7 @@ class SurveyRecords {
   void keep_swing(const Part& part, const std::string& group, Eigen::Index begin, Eigen::Index end);
 
   ModalSurvey& survey_;
-  WatchedReader reader_{survey_.campaign};
+  WatchedReader reader_;
   std::optional<std::size_t> force_;  // channel
   std::vector<DecaySummary> decays_;
   std::vector<SurveyImpacts> impacts_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -122,13 +123,22 @@ class DecayObserver {
     }
     // Conditions are numbered without gaps.
     int stretches = 0, before = -1;
+    std::shared_ptr<const std::vector<WindowPair>> overlap;
     for (FoundWindow& w : found) {
-      if (w.stretch != before) ++stretches;
+      if (w.stretch != before) {
+        ++stretches;
+        VectorXd here(modal.cols());
+        for (Index k = 0; k < here.size(); ++k)
+          here(k) = w.window.observation.rate[static_cast<std::size_t>(k)].imag();
+        overlap = std::make_shared<const std::vector<WindowPair>>(
+            windows_.overlaps(w.part.count, rate, here, static_cast<int>(windows_in_a_stretch) - 1));
+      }
       before = w.stretch;
       Observation& o = w.window.observation;
       o.condition = condition + stretches - 1;
       o.record = r;
       o.centre_s = time_of(w.part);
+      o.overlap = overlap;
       set.observations.push_back(std::move(o));
     }
     return stretches;

@@ -223,6 +223,49 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   return window;
 }
 
+std::vector<WindowPair> DecayWindows::overlaps(Index samples, double rate, const VectorXd& frequency,
+                                               int steps) const {
+  const Tones list = tones(frequency, static_cast<double>(samples) / rate, rate);
+  const SlowToneWeights weights = slow_tone_weights(samples, rate, list.frequency, degree, rectifies_ ? degree : 0);
+  const auto count = static_cast<Index>(list.frequency.size());
+  // What makes the displacement's amplitude and slope of the samples, over the phase of the first.
+  Eigen::MatrixXcd amplitude(count, samples), slope(count, samples);
+  for (Index j = 0; j < count; ++j) {
+    const Integration to({0, list.frequency[static_cast<std::size_t>(j)]}, projection_.derivatives);
+    const Complex first = to.slope / to.value, second = to.curvature / to.value;
+    amplitude.row(j) =
+        weights.derivative[0].row(j) + first * weights.derivative[1].row(j) + second * weights.derivative[2].row(j);
+    slope.row(j) = weights.derivative[1].row(j) + first * weights.derivative[2].row(j);
+  }
+  std::vector<WindowPair> result;
+  for (int n = 1; n < steps; ++n) {
+    const Index shift = n * samples / steps, common = samples - shift;
+    const auto correlation = [&](const Eigen::MatrixXcd& here, const Eigen::MatrixXcd& later, Index tone) {
+      const Complex turn =
+          std::polar(1.0, list.frequency[static_cast<std::size_t>(tone)] * static_cast<double>(shift) / rate);
+      const Complex product =
+          later.row(tone).head(common).conjugate().cwiseProduct(here.row(tone).tail(common)).sum();
+      return (turn * product).real() / (here.row(tone).norm() * later.row(tone).norm());
+    };
+    WindowPair pair;
+    pair.mode.resize(model_.modes());
+    for (const std::size_t k : oscillating_) {
+      const Index tone = list.of_mode[k];
+      pair.mode[k] = {correlation(amplitude, amplitude, tone), correlation(slope, slope, tone),
+                      correlation(amplitude, slope, tone), correlation(slope, amplitude, tone)};
+    }
+    for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+      double& own = pair.harmonic.emplace_back(0);
+      if (const Index tone = list.of_block[b]; tone >= 0)
+        own = correlation(amplitude, amplitude, tone);
+      else if (is_zero_frequency(resonance_.blocks[b]))
+        own = weights.offset.head(common).dot(weights.offset.tail(common)) / weights.offset.squaredNorm();
+    }
+    result.push_back(std::move(pair));
+  }
+  return result;
+}
+
 void DecayWindows::read_harmonics(const SlowToneFit& seen, const Tones& list, Observation& o) const {
   for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
     const RegressorBlock& block = resonance_.blocks[b];

@@ -47,6 +47,10 @@ class DecayWindows {
   /// noise hides; its frequency stays.
   DecayWindow fit(const Eigen::MatrixXd& modal, double rate, Eigen::VectorXd& frequency) const;
 
+  /// Observation::overlap of windows of so many samples, `steps` to a length, at these frequencies (rad/s, [mode]).
+  std::vector<WindowPair> overlaps(Eigen::Index samples, double rate, const Eigen::VectorXd& frequency,
+                                   int steps) const;
+
   /// The window of `like` in another record of the same sampling.
   Observation fit_again(const Record& record, const Observation& like) const;
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,19 @@
 
 namespace secular {
 
+/// docs/inference.md (44): correlations of what white noise does to a tone in two windows of a decay that overlap,
+/// in the frame of the tone.
+struct ToneOverlap {
+  double amplitudes = 0, slopes = 0;
+  double slope_later = 0, slope_earlier = 0;  ///< that with the other window's amplitude
+};
+
+/// Of a window with a later one.
+struct WindowPair {
+  std::vector<ToneOverlap> mode;  ///< [mode]
+  std::vector<double> harmonic;   ///< [block] of amplitudes; zero where not measured
+};
+
 /// One ensemble of a dwell or one window of a decay, ready for the generated rows. Amplitudes are of modal
 /// displacements, half of the peak, with phases at the window's centre.
 struct Observation {
@@ -20,6 +34,9 @@ struct Observation {
   std::size_t record = 0;  ///< index into Campaign::records
   double centre_s = 0;     ///< in the record's time
   double length_s = 0;     ///< of a decay's window
+  /// Of a decay's window, the same for those of its stretch: [n - 1] with a window that begins n steps later, of
+  /// which the length has one more than there are entries.
+  std::shared_ptr<const std::vector<WindowPair>> overlap;
   std::vector<double> excitation_frequency;  ///< [excitation] rad/s
   std::vector<double> excitation_frequency_sd;
   std::vector<std::complex<double>> forcing;    ///< [excitation] F exp(i*phase)

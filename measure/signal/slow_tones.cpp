@@ -14,14 +14,17 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double rate,
-                           const std::vector<double>& frequencies, int degree, int offset_degree) {
-  const Index samples = channels.rows(), powers = degree + 1;
+namespace {
+
+// Columns 2 cos, -2 sin of every tone by powers of time over half the window, which keeps all of order one; those
+// of zero frequency come last.
+MatrixXd basis_of(Index samples, double rate, const std::vector<double>& frequencies, int degree,
+                  int offset_degree) {
+  const Index powers = degree + 1;
   const auto tones = static_cast<Index>(frequencies.size());
   const Index constant = 2 * tones * powers, unknowns = constant + offset_degree + 1;
   if (samples <= unknowns) throw std::invalid_argument("fewer samples than unknowns of slow tones");
   const double half = 0.5 * static_cast<double>(samples - 1) / rate;
-  // Times over half the window: all columns are of order one.
   const ArrayXd u = ArrayXd::LinSpaced(samples, -1, 1);
   ArrayXXd cosine(samples, tones), sine(samples, tones);
   for (Index j = 0; j < tones; ++j) {
@@ -38,6 +41,18 @@ SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double ra
       basis.col(2 * (p * tones + j) + 1) = -2 * power * sine.col(j);
     }
   }
+  return basis;
+}
+
+}  // namespace
+
+SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double rate,
+                           const std::vector<double>& frequencies, int degree, int offset_degree) {
+  const Index samples = channels.rows(), powers = degree + 1;
+  const auto tones = static_cast<Index>(frequencies.size());
+  const Index constant = 2 * tones * powers, unknowns = constant + offset_degree + 1;
+  const double half = 0.5 * static_cast<double>(samples - 1) / rate;
+  const MatrixXd basis = basis_of(samples, rate, frequencies, degree, offset_degree);
   const Eigen::HouseholderQR<MatrixXd> qr(basis);
   const MatrixXd coefficients = qr.solve(channels);
   const MatrixXd residual = channels - basis * coefficients;
@@ -68,6 +83,28 @@ SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double ra
   fit.offset = coefficients.row(constant).transpose();
   fit.offset_sd = std::sqrt(variance(constant)) * fit.noise_sd;
   return fit;
+}
+
+SlowToneWeights slow_tone_weights(Index samples, double rate, const std::vector<double>& frequencies, int degree,
+                                  int offset_degree) {
+  const MatrixXd basis = basis_of(samples, rate, frequencies, degree, offset_degree);
+  const MatrixXd inverse = basis.householderQr().solve(MatrixXd::Identity(samples, samples));
+  const double half = 0.5 * static_cast<double>(samples - 1) / rate;
+  const auto tones = static_cast<Index>(frequencies.size());
+  SlowToneWeights weights;
+  double factor = 1;
+  for (Index p = 0; p <= degree; ++p) {
+    if (p > 0) factor *= static_cast<double>(p) / half;
+    Eigen::MatrixXcd of_power(tones, samples);
+    for (Index j = 0; j < tones; ++j) {
+      const Index real = 2 * (p * tones + j);
+      of_power.row(j).real() = factor * inverse.row(real);
+      of_power.row(j).imag() = factor * inverse.row(real + 1);
+    }
+    weights.derivative.push_back(std::move(of_power));
+  }
+  weights.offset = inverse.row(2 * tones * (degree + 1));
+  return weights;
 }
 
 }  // namespace secular

@@ -26,4 +26,13 @@ struct SlowToneFit {
 SlowToneFit fit_slow_tones(const Eigen::Ref<const Eigen::MatrixXd>& channels, double sample_rate_hz,
                            const std::vector<double>& frequencies, int degree, int offset_degree);
 
+/// What fit_slow_tones() multiplies samples with.
+struct SlowToneWeights {
+  std::vector<Eigen::MatrixXcd> derivative;  ///< [p]: tones x samples
+  Eigen::RowVectorXd offset;
+};
+
+SlowToneWeights slow_tone_weights(Eigen::Index samples, double sample_rate_hz,
+                                  const std::vector<double>& frequencies, int degree, int offset_degree);
+
 }  // namespace secular

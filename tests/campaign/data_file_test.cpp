@@ -101,6 +101,34 @@ TEST_F(Csv, TimesOfDayAreSeconds) {
   EXPECT_DOUBLE_EQ(read.columns[0][1] - read.columns[0][0], 0.5);
 }
 
+// A clock without a date begins anew at midnight, the record does not.
+TEST_F(Csv, TimesOfDayGoOnBehindMidnight) {
+  EXPECT_EQ(table("stamp,a\n23:59:59.500,1\n00:00:00.000,2\n00:00:00.500,3\n").columns[0],
+            (std::vector<double>{86399.5, 86400, 86400.5}));
+  // More than once, and where a stamp is missing.
+  const Columns days = table("stamp,a\n20:00:00,1\n05:00:00,2\n14:00:00,3\n23:00:00,4\n08:00:00,5\n").columns;
+  for (std::size_t i = 0; i < days[0].size(); ++i)
+    EXPECT_EQ(days[0][i], 3600 * (20 + 9 * static_cast<double>(i))) << i;
+  const NumberTable gap =
+      read_csv(write("gap.csv", "stamp,a\n23:59:58,1\n,2\n00:00:00,3\n"), {}, MissingNumbers::keep_gaps);
+  EXPECT_EQ(gap.columns[0][2], 86400);
+  // A clock that is set back by an hour, one with a date, and numbers.
+  EXPECT_EQ(table("stamp,a\n03:00:00,1\n02:00:00,2\n").columns[0], (std::vector<double>{10800, 7200}));
+  EXPECT_EQ(table("stamp,a\n2024-05-02T00:00:00,1\n2024-05-01T00:00:00,2\n").columns[0],
+            (std::vector<double>{1714608000, 1714521600}));
+  EXPECT_EQ(table("t,a\n86399,1\n0,2\n").columns[0], (std::vector<double>{86399, 0}));
+  // Where the first rows are read the last stamp is of the day that they lead to.
+  std::string text = "stamp,a\n";
+  for (int i = 0; i < 100; ++i) {
+    const int minute = (23 * 60 + 10 + i) % 1440;
+    text += std::string(minute / 60 < 10 ? "0" : "") + std::to_string(minute / 60) + ":" +
+            (minute % 60 < 10 ? "0" : "") + std::to_string(minute % 60) + ":00,1\n";
+  }
+  const NumberTable first = read_csv(write("long.csv", text), {}, MissingNumbers::refuse, 10);
+  ASSERT_EQ(first.last_row.size(), 2u);
+  EXPECT_EQ(first.last_row[0], 60 * (23 * 60 + 10 + 99));
+}
+
 TEST_F(Csv, NamesMayStateUnits) {
   for (const auto& [name, bare, unit] : {std::tuple{"Kraft/N", "Kraft", "N"},
                                          {"a/(m/s^2)", "a", "m/s^2"},

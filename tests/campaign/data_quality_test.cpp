@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -17,6 +18,7 @@
 #include "measure/data/watched_reader.hpp"
 #include "measure/formats/data_file.hpp"
 #include "tests/places.hpp"
+#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -219,6 +221,33 @@ TEST(Jitter, OfAFileIsAFault) {
   ASSERT_EQ(file.faults.size(), 1u);
   EXPECT_EQ(file.faults[0].kind, "time");
   EXPECT_NE(file.faults[0].text.find("a tone of 20 Hz"), std::string::npos) << file.faults[0].text;
+}
+
+// Numbers that stand for none are named with their count and what to write; levels are those of the others.
+TEST(FillValuesOfAFile, AreNamed) {
+  const std::filesystem::path path = testing_support::process_folder() / "fill_values.csv";
+  const auto inspected = [&](const std::string& mark, bool time) {
+    std::ofstream file(path);
+    file << (time ? "t,a\n" : "b,a\n");
+    for (int i = 0; i < 400; ++i)
+      file << 0.01 * i << ',' << (i % 100 == 37 ? mark : std::to_string(3 * std::sin(0.31 * i))) << '\n';
+    file.close();
+    return inspect_file(path).variables.at(1).quality.value();
+  };
+  for (const std::string mark : {"-9999", "1e20", "9.96921e36", "-999", "-99999.9", "32767", "-2147483648", "1e30"})
+    for (const bool time : {true, false}) {
+      const ChannelQuality quality = inspected(mark, time);
+      ASSERT_EQ(quality.faults.size(), 1u) << mark;
+      EXPECT_EQ(quality.faults[0].kind, "fill_value") << mark;
+      EXPECT_NE(quality.faults[0].text.find("4 of 400 samples"), std::string::npos) << quality.faults[0].text;
+      EXPECT_NE(quality.faults[0].text.find("first sample 38"), std::string::npos) << quality.faults[0].text;
+      EXPECT_NE(quality.faults[0].text.find("write nan"), std::string::npos) << quality.faults[0].text;
+      EXPECT_NEAR(quality.rms, 3 / std::sqrt(2.0), 0.05) << mark;
+      EXPECT_NEAR(quality.peak, 3, 0.05) << mark;
+    }
+  // A value of the motion, one that is large by itself, and nines within the range of the others.
+  for (const std::string mark : {"2.999", "17.3", "0.999", "-2000"})
+    for (const DataFault& fault : inspected(mark, true).faults) EXPECT_NE(fault.kind, "fill_value") << mark;
 }
 
 TEST(NoiseFloor, IsThatOfWhiteNoiseUnderALine) {

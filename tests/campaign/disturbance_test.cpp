@@ -180,6 +180,81 @@ TEST(Disturbances, EveryKindIsFoundWithItsSizeAndNothingElse) {
   }
 }
 
+// Samples that cannot be put right hide what else is in a channel from no row: what is intact of it is looked at.
+TEST(Disturbances, WhatCannotBePutRightHidesNothing) {
+  for (const Case& c : cases()) {
+    if (c.kind != "foreign_tone" && c.kind != "offset" && c.kind != "offset_wander" && c.kind != "neighbour_mode")
+      continue;
+    Record record = clean(c.record, 3);
+    c.disturb(record.channels[1]);
+    std::fill_n(record.channels[1].begin() + 3600, 60, record.channels[1][3599]);
+    const std::vector<Disturbance> found = found_in(record, c.record);
+    const Disturbance* held = of_kind(found, "held_samples");
+    ASSERT_NE(held, nullptr) << c.kind;
+    EXPECT_EQ(held->treated, "left_out");
+    const Disturbance* one = of_kind(found, c.kind);
+    ASSERT_NE(one, nullptr) << c.kind << " " << c.size;
+    EXPECT_NEAR(one->size, c.size, std::max(0.25, 1.5 * c.tolerance) * c.size) << c.kind << ": " << one->text;
+    EXPECT_LE(one->to_s, 3600 / drive_rate) << c.kind;
+    for (const Disturbance& other : found)
+      EXPECT_TRUE(other.kind == c.kind || other.kind == "held_samples" ||
+                  (c.kind == "offset_wander" && other.kind == "offset"))  // less than a period of it has a mean
+          << c.kind << ", " << other.kind << ": " << other.text;
+  }
+  // The break alone makes nothing; nor does one at the begin, or two.
+  for (const std::vector<std::ptrdiff_t>& breaks : {std::vector<std::ptrdiff_t>{3600}, {40}, {1200, 3000}}) {
+    for (const RecordKind kind : {RecordKind::dwell, RecordKind::free_decay}) {
+      Record record = clean(kind, 3);
+      for (const std::ptrdiff_t at : breaks)
+        std::fill_n(record.channels[1].begin() + at, 60, record.channels[1][static_cast<std::size_t>(at) - 1]);
+      for (const Disturbance& other : found_in(record, kind))
+        EXPECT_EQ(other.kind, "held_samples") << breaks.front() << ": " << other.text;
+    }
+  }
+}
+
+// A blow of a hammer that lasts one sample: the structure answers it, in whatever quantity is measured. A spike
+// that nothing answers is none.
+TEST(Disturbances, BlowsOfOneSampleAreNoSpikes) {
+  const auto struck = [](const std::vector<std::size_t>& blows, Quantity quantity, double noise) {
+    Normal normal(5);
+    const double w = two_pi * 12.3, decay = 0.02 * w;
+    Record record;
+    record.sample_rate_hz = drive_rate;
+    record.channels.assign(2, Samples(drive_count));
+    for (std::size_t i = 0; i < drive_count; ++i) {
+      record.channels[0][i] = 0.02 * normal();
+      for (const std::size_t blow : blows) {
+        if (blow == i) record.channels[0][i] += 40;
+        if (blow > i) continue;
+        const double t = static_cast<double>(i - blow) / drive_rate;
+        record.channels[1][i] +=
+            std::exp(-decay * t) * (quantity == Quantity::displacement ? std::sin(w * t) : std::cos(w * t + 0.1));
+      }
+      record.channels[1][i] += noise * normal();
+    }
+    return record;
+  };
+  const auto spikes_of = [](const Record& record, RecordKind kind, Quantity quantity) {
+    Campaign campaign = campaign_of(1, kind);
+    campaign.channels[0].quantity = Quantity::force;
+    campaign.channels[1].quantity = quantity;
+    double size = 0;
+    for (const Disturbance& d : find_disturbances(campaign, 0, record))
+      if (d.kind == "spikes" && d.channel == 0u) size = d.size;
+    return size;
+  };
+  for (const RecordKind kind : {RecordKind::free_decay, RecordKind::broadband, RecordKind::sweep})
+    for (const Quantity quantity : {Quantity::displacement, Quantity::acceleration})
+      for (const double noise : {1e-3, 0.02}) {
+        EXPECT_EQ(spikes_of(struck({500}, quantity, noise), kind, quantity), 0) << to_string(kind);
+        EXPECT_EQ(spikes_of(struck({500, 2100}, quantity, noise), kind, quantity), 0) << to_string(kind);
+        Record spiked = struck({500}, quantity, noise);
+        spiked.channels[0][3000] += 25;
+        EXPECT_NEAR(spikes_of(spiked, kind, quantity), 25, 1) << to_string(kind);
+      }
+}
+
 TEST(Disturbances, EveryRowHasACase) {
   std::set<std::string> tested = {"uneven_time", "late_record", "record_scatter", "coloured_noise",
                                   "blow_mismatch"};  // of stamps; of identify; of diagnose

@@ -52,6 +52,44 @@ ModalSurveyOptions impact_options() {
   return options;
 }
 
+// Samples that a file holds wrongly are replaced as they are for everybody else: held ones, spikes, and numbers
+// that stand for lost ones. What cannot be replaced is told.
+TEST_F(ModalSurveyOf, WrongSamplesAreReplaced) {
+  ModalSurveyOptions options;
+  options.lowest_hz = 5;
+  options.highest_hz = 60;
+  const CampaignData clean = testing_support::decay_campaign(2, 0.01, 3);
+  write(clean);
+  const ModalSurvey expected = modal_survey(folder, options);
+  ASSERT_EQ(expected.modes.size(), 3u);
+  for (const int kind : {0, 1, 2}) {
+    CampaignData faulty = clean;
+    for (Record& record : faulty.samples)
+      for (std::vector<double>& x : record.channels)
+        for (std::size_t i = 150; i + 50 < x.size(); i += 97)
+          x[i] = kind == 0 ? x[i] + (i % 2 == 0 ? 30 : -25) : kind == 1 ? -999 : x[i - 1];
+    fs::remove_all(folder);
+    write(faulty);
+    const ModalSurvey survey = modal_survey(folder, options);
+    ASSERT_EQ(survey.modes.size(), 3u) << kind;
+    for (std::size_t r = 0; r < 3; ++r) {
+      EXPECT_NEAR(survey.modes[r].natural_frequency_hz, expected.modes[r].natural_frequency_hz, 2e-3)
+          << kind << " " << r;
+      EXPECT_NEAR(survey.modes[r].damping_ratio, expected.modes[r].damping_ratio, 1e-4) << kind << " " << r;
+    }
+  }
+  CampaignData broken = clean;
+  std::fill_n(broken.samples[0].channels[0].begin() + 700, 40, -999.0);
+  std::fill_n(broken.samples[0].channels[0].begin() + 900, 40, -999.0);
+  std::fill_n(broken.samples[0].channels[0].begin() + 1300, 40, -999.0);
+  fs::remove_all(folder);
+  write(broken);
+  const ModalSurvey survey = modal_survey(folder, options);
+  EXPECT_TRUE(std::any_of(survey.warnings.begin(), survey.warnings.end(), [](const std::string& warning) {
+    return warning.find("they are used as they are") != std::string::npos;
+  }));
+}
+
 TEST_F(ModalSurveyOf, ImpactsGiveMassesAndMatrices) {
   write(testing_support::impact_campaign(3, 1e-3, 5));
   const ModalSurvey survey = modal_survey(folder, impact_options());

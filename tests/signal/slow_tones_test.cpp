@@ -90,6 +90,20 @@ TEST(StatisticalTonesOfSlowAmplitude, NoiseAddsLinearlyAndAsItsStandardDeviation
   for (int p = 0; p < 3; ++p) EXPECT_NEAR(square[p] / expected[p], 1, 4 * std::sqrt(1.0 / draws)) << p;
 }
 
+// What the fit multiplies samples with is the fit: of any samples.
+TEST(TonesOfSlowAmplitude, WeightsAreTheFit) {
+  const Index count = 90;
+  const MatrixXd y = testing_support::Gaussian(5).vector(count);
+  const SlowToneFit fit = fit_slow_tones(y, rate, {first, second}, 2, 1);
+  const SlowToneWeights weights = slow_tone_weights(count, rate, {first, second}, 2, 1);
+  for (std::size_t p = 0; p < 3; ++p)
+    for (Index tone = 0; tone < 2; ++tone)
+      EXPECT_NEAR(std::abs((weights.derivative[p].row(tone) * y).value() - fit.derivative[p](tone, 0)), 0,
+                  1e-11 * fit.sd[p](tone, 0) / fit.sd[0](tone, 0))
+          << p;
+  EXPECT_NEAR((weights.offset * y).value(), fit.offset(0), 1e-12);
+}
+
 TEST(TonesOfSlowAmplitude, TooFewSamplesAreRefused) {
   EXPECT_THROW(fit_slow_tones(MatrixXd::Zero(7, 1), rate, {first}, 2, 0), std::invalid_argument);
 }
