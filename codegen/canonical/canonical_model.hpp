@@ -147,7 +147,15 @@ enum class CanonicalContent { all, code };
 CanonicalModel canonical_model(const Model& model, const std::string& only_case = {},
                                CanonicalContent content = CanonicalContent::all);
 
-/// Harmonic and modulation terms of one derivation in listing order.
+/// Harmonic and modulation terms of one derivation in listing order, with their coefficients as they stand.
+struct UnreducedTerm {
+  CanonicalPowers powers;
+  int order = 0;
+  GiNaC::ex coefficient;
+};
+std::vector<UnreducedTerm> modulation_terms(const Derivation& derivation, std::size_t mode);
+std::vector<UnreducedTerm> harmonic_terms(const Derivation& derivation, std::size_t mode);
+/// The same with coefficients in canonical form; terms that are identically zero are left out.
 std::vector<CanonicalTerm> canonical_modulation(const Derivation& derivation, std::size_t mode,
                                                 const SymbolOrder& order);
 std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std::size_t mode,
