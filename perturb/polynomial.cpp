@@ -1,10 +1,10 @@
 #include "perturb/polynomial.hpp"
 
 #include <cln/integer.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 namespace secular {
@@ -25,7 +25,7 @@ int compared(const std::uint64_t* a, const std::uint64_t* b, std::size_t width) 
 void add(const std::uint64_t* a, const std::uint64_t* b, std::size_t width, std::uint64_t* sum) {
   std::uint64_t left = 0;
   for (std::size_t w = 0; w < width; ++w) left |= sum[w] = a[w] + b[w];
-  if ((left & top_bits) != 0) throw std::overflow_error("a power of a polynomial is out of range");
+  if ((left & top_bits) != 0) throw PolynomialTooLarge(fmt::format("a power beyond {}", Polynomial::highest_power));
 }
 
 // a/b of monomials; false where b has a higher power.
@@ -45,7 +45,8 @@ Polynomial::Polynomial(std::size_t symbols, const std::vector<Term>& terms) : Po
   for (std::size_t t = 0; t < terms.size(); ++t)
     for (std::size_t s = 0; s < symbols; ++s) {
       const int power = terms[t].powers[s];
-      if (power < 0 || power > highest_power) throw std::overflow_error("a power of a polynomial is out of range");
+      if (power < 0 || power > highest_power)
+        throw PolynomialTooLarge(fmt::format("a power beyond {}", Polynomial::highest_power));
       packed[t * width_ + s / 4] |= static_cast<std::uint64_t>(power) << shift(s);
     }
   std::vector<std::size_t> sorted(terms.size());
@@ -64,6 +65,7 @@ Polynomial::Polynomial(std::size_t symbols, const std::vector<Term>& terms) : Po
 
 void Polynomial::append(const std::uint64_t* monomial, cln::cl_I coefficient) {
   if (cln::zerop(coefficient)) return;
+  if (size() == most_terms) throw PolynomialTooLarge(fmt::format("more than {} terms", most_terms));
   powers_.insert(powers_.end(), monomial, monomial + width_);
   coefficients_.push_back(std::move(coefficient));
 }

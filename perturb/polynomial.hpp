@@ -5,9 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace secular {
+
+/// A polynomial that would not fit: beyond `most_terms`, or with a power beyond `highest_power`.
+struct PolynomialTooLarge : std::length_error {
+  using std::length_error::length_error;
+};
 
 /// A polynomial with integer coefficients in numbered symbols, as plain data: terms in descending lexicographic
 /// order of their powers, which are packed, four to a word, so that monomials multiply and compare word by word.
@@ -16,8 +22,8 @@ class Polynomial {
  public:
   /// Zero, in so many symbols.
   explicit Polynomial(std::size_t symbols = 0) : symbols_(symbols), width_(symbols / 4 + 1) {}
-  /// From terms in any order; equal monomials are summed. Powers are not negative. Throws std::overflow_error for a
-  /// power beyond `highest_power`, as products do.
+  /// From terms in any order; equal monomials are summed. Powers are not negative. Throws PolynomialTooLarge, as
+  /// sums and products do.
   struct Term {
     std::vector<int> powers;
     cln::cl_I coefficient;
@@ -25,6 +31,7 @@ class Polynomial {
   Polynomial(std::size_t symbols, const std::vector<Term>& terms);
 
   static constexpr int highest_power = 0x7fff;
+  static constexpr std::size_t most_terms = 1'000'000;  ///< a guard: some 100 MB
 
   std::size_t symbols() const { return symbols_; }
   std::size_t size() const { return coefficients_.size(); }  ///< number of terms

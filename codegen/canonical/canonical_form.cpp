@@ -1,6 +1,7 @@
 #include "codegen/canonical/canonical_form.hpp"
 
 #include <cln/integer_io.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -103,8 +104,12 @@ RationalFunction CanonicalForm::of(const FactoredFraction& fraction) const {
                                    ? fraction.numerator
                                    : in_variables(fraction.numerator, fraction.variables, variables) *
                                          sums_.expanded(multiplying, variables);
+  const std::vector<PolynomialTerm>& divisor = denominator(below, dividing);
+  terms_ += numerator.size() + divisor.size();
+  if (terms_ > most_terms)
+    throw PolynomialTooLarge(fmt::format("more than {} terms in all its formulas together", most_terms));
   result.numerator = listed(numerator, variables, above, cln::numerator(fraction.scale));
-  result.denominator = denominator(below, dividing);
+  result.denominator = divisor;
   const cln::cl_I scale = cln::denominator(fraction.scale);
   if (scale != 1)
     for (PolynomialTerm& term : result.denominator)

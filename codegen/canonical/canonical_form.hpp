@@ -34,6 +34,9 @@ class CanonicalForm {
   Parts parts(const GiNaC::ex& expression) const;
   /// With the same symbols in the same order.
   FractionSums& sums() const { return sums_; }
+  /// Guards what a whole model may have when it is multiplied out, all formulas together: more than that, of some
+  /// 300 bytes each, fills the memory, and nobody reads it. Beyond it PolynomialTooLarge is thrown.
+  static constexpr std::size_t most_terms = 3'000'000;
   /// Terms of polynomials that were made so far: a measure of the work that does not depend on the machine.
   std::size_t work() const { return sums_.work(); }
 
@@ -43,6 +46,7 @@ class CanonicalForm {
 
   std::size_t size_;
   mutable FractionSums sums_;
+  mutable std::size_t terms_ = 0;  // of all results together
   mutable std::map<std::pair<std::vector<int>, DivisorPowers>, std::vector<PolynomialTerm>> denominators_;
 };
 

@@ -136,10 +136,16 @@ std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum&
   return terms;
 }
 
+// How often canonical_case() tells that a step is done.
+constexpr std::size_t steps_of_case = 5;
+
 CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance, const CanonicalForm& form,
-                             const std::map<std::string, Dimension>& dimensions, CanonicalContent content) {
+                             const std::map<std::string, Dimension>& dimensions, CanonicalContent content,
+                             const std::function<void()>& step_done) {
   const Derivation nominal = derive(model, resonance, OmegaPolicy::nominal);
+  step_done();
   const Derivation kept = derive(model, resonance, OmegaPolicy::kept);
+  step_done();
   CanonicalCase result;
   result.name = resonance.name;
   result.expand_to = resonance.expand_to;
@@ -157,6 +163,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
     if (content == CanonicalContent::all)
       result.harmonics.back() = canonical_terms(harmonic_terms(nominal, k), form);
   }
+  step_done();
   for (const QuadratureTerm& quadrature : nominal.quadratures) {
     CanonicalForm::Parts rate = form.parts(nominal.quadrature_rate(quadrature));
     CanonicalQuadrature flat{
@@ -172,7 +179,11 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
                         std::max(certificate.nonsmooth_error, smallest_nonsmooth_error),
                         certificate.remainders};
   result.warnings = nominal.warnings;
-  if (!observed_frequencies(nominal)) return result;
+  step_done();
+  if (!observed_frequencies(nominal)) {
+    step_done();
+    return result;
+  }
   const LumpEquations seen = lump_equations(nominal, kept, form.sums());
   for (const auto& row : seen.frequencies.of_mode) {
     std::vector<CanonicalRatio> ratios;
@@ -201,6 +212,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
               [](const auto& a, const auto& b) { return a.lump < b.lump; });
     result.blocks.push_back(std::move(flat));
   }
+  step_done();
   return result;
 }
 
@@ -349,7 +361,8 @@ std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std
   return canonical_terms(harmonic_terms(derivation, mode), CanonicalForm(derivation.model->symbols, order));
 }
 
-CanonicalModel canonical_model(const Model& model, const std::string& only_case, CanonicalContent content) {
+CanonicalModel canonical_model(const Model& model, const std::string& only_case, CanonicalContent content,
+                               const CanonicalProgress& progress) {
   if (!only_case.empty()) model.find_case(only_case);
   CanonicalModel result;
   result.name = model.name;
@@ -378,9 +391,20 @@ CanonicalModel canonical_model(const Model& model, const std::string& only_case,
   }
   for (std::size_t k = 0; k < equations.size(); ++k)
     result.motion.push_back(motion_terms(model, equations[k], form, k));
+  std::size_t done = 0;
+  const std::size_t steps = steps_of_case * (only_case.empty() ? model.cases.size() : 1);
+  const auto step_done = [&] {
+    if (progress) progress(++done, steps);
+  };
   for (const ResonanceCase& resonance : model.cases)
-    if (only_case.empty() || resonance.name == only_case)
-      result.cases.push_back(canonical_case(model, resonance, form, dimensions, content));
+    if (only_case.empty() || resonance.name == only_case) try {
+        result.cases.push_back(canonical_case(model, resonance, form, dimensions, content, step_done));
+      } catch (const PolynomialTooLarge& error) {
+        throw InputError(
+            model.file, resonance.place(), fmt::format("has {} when its expansion is multiplied out", error.what()),
+            "lower expand_to or leave out modes, terms or cases; `secular evaluate` gives its numbers as "
+            "it is");
+      }
   result.fingerprint = fingerprint(result);
   return result;
 }

@@ -1,5 +1,7 @@
 #include "codegen/canonical/evaluation.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -42,9 +44,18 @@ class Evaluator {
   };
   Value value(const GiNaC::ex& coefficient) {
     const FractionTerms terms = form_.terms(coefficient);
-    const auto part = [&](const FractionTerms& real) {
+    const auto part = [&](const FractionTerms& real) -> Number {
       const std::optional<Number> sum = by_terms(real);
-      return sum ? *sum : canonical(form_.of(form_.sums().sum(real)));
+      if (sum) return *sum;
+      try {
+        return canonical(form_.of(form_.sums().sum(real)));
+      } catch (const PolynomialTooLarge& error) {
+        throw InputError(values_file_, "",
+                         fmt::format("leaves a coefficient no digits term by term, and it has {} when it is "
+                                     "multiplied out",
+                                     error.what()),
+                         "choose values away from a resonance that the case does not list");
+      }
     };
     return {part(real_part(terms)), part(imaginary_part(terms))};
   }
