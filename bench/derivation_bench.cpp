@@ -5,6 +5,7 @@
 #include <string>
 
 #include "codegen/cpp/emit_cpp.hpp"
+#include "codegen/document/print_text.hpp"
 #include "perturb/certificate.hpp"
 #include "perturb/derivation.hpp"
 
@@ -108,6 +109,50 @@ BENCHMARK(derive_dense_cubic)
     ->ArgsProduct({{1, 2, 3, 4, 5, 6}, {1}})
     ->ArgsProduct({{1}, {2, 3, 4}})
     ->ArgsProduct({{2}, {2}})
+    ->Unit(benchmark::kMillisecond);
+
+/// A spring between points of a structure, b*(v0 + v1 + ...)^power in every mode's equation.
+Model local_spring(std::int64_t modes, std::int64_t power, int order_of_force) {
+  std::string text = "schema = 1\nname = \"local\"\n", sum, orders = fmt::format("f = 2, b = {}", order_of_force);
+  for (std::int64_t i = 0; i < modes; ++i) {
+    sum += fmt::format("{}v{}", i > 0 ? "+" : "", i);
+    orders += fmt::format(", mu{} = 2", i);
+  }
+  for (std::int64_t i = 0; i < modes; ++i)
+    text += fmt::format(
+        "[[mode]]\ncoordinate = \"v{0}\"\nfrequency = \"w{0}\"\nequation = \"D2(v{0}) + w{0}^2*v{0} = "
+        "-2*mu{0}*D(v{0}) - b*({1})^{2} + f*F*cos(Omega*t)\"\n",
+        i, sum, power);
+  text += fmt::format(
+      "[[case]]\nname = \"c\"\nrelations = [\"Omega = w0 + eps^2*sigma\"]\norder = {{ {} }}\nexpand_to = 2\n",
+      orders);
+  return read_model_text(text, "local");
+}
+
+/// Model to plain data, certificate and document: number of modes, power of the spring, its order. Second order of
+/// the expansion where the order is 1 (aims: below 1 s for four modes quadratic and three modes cubic), its leading
+/// terms where it is 2 (six modes cubic below 10 s). Time beside the number of terms of the formulas.
+void document_local_spring(benchmark::State& state) {
+  const Model model = local_spring(state.range(0), state.range(1), static_cast<int>(state.range(2)));
+  std::size_t terms = 0;
+  for (auto _ : state) {
+    const CanonicalModel canonical = canonical_model(model);
+    benchmark::DoNotOptimize(derivation_text(canonical));
+    terms = 0;
+    for (const auto* lists : {&canonical.cases[0].slow_derivative, &canonical.cases[0].harmonics})
+      for (const auto& list : *lists)
+        for (const CanonicalTerm& term : list)
+          for (const RationalFunction* part : {&term.real, &term.imaginary})
+            terms += part->numerator.size() + part->denominator.size();
+  }
+  state.counters["terms"] = static_cast<double>(terms);
+  state.counters["s_per_term"] = benchmark::Counter(
+      static_cast<double>(terms), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(document_local_spring)
+    ->ArgsProduct({{2, 3, 4}, {2}, {1}})
+    ->ArgsProduct({{2, 3}, {3}, {1}})
+    ->ArgsProduct({{2, 3, 4, 5, 6}, {3}, {2}})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,159 +1,700 @@
 #include "perturb/factored_fraction.hpp"
 
+#include <cln/integer_io.h>
+
 #include <algorithm>
-#include <utility>
-#include <vector>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
 
 namespace secular {
 namespace {
 
-bool is_linear(const GiNaC::ex& sum) {
-  for (const GiNaC::ex& term : sum) {
-    const bool scaled = GiNaC::is_exactly_a<GiNaC::mul>(term) && term.nops() == 2 &&
-                        GiNaC::is_exactly_a<GiNaC::numeric>(term.op(1));
-    if (!GiNaC::is_a<GiNaC::symbol>(scaled ? term.op(0) : term)) return false;
+void multiply(DivisorPowers& powers, std::size_t divisor, int power) {
+  const auto place = std::lower_bound(powers.begin(), powers.end(), divisor,
+                                      [](const auto& entry, std::size_t number) { return entry.first < number; });
+  if (place == powers.end() || place->first != divisor)
+    powers.insert(place, {divisor, power});
+  else if ((place->second += power) == 0)
+    powers.erase(place);
+}
+
+int power_of(const DivisorPowers& powers, std::size_t divisor) {
+  const auto place = std::lower_bound(powers.begin(), powers.end(), divisor,
+                                      [](const auto& entry, std::size_t number) { return entry.first < number; });
+  return place == powers.end() || place->first != divisor ? 0 : place->second;
+}
+
+GiNaC::numeric number(const cln::cl_RA& value) {
+  return GiNaC::numeric(static_cast<const cln::cl_N&>(value));
+}
+
+std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+  std::vector<std::size_t> result;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  return result;
+}
+
+PrimeFieldComplex residue(const cln::cl_I& value) {
+  if (cln::integer_length(value) < 62)
+    return PrimeFieldComplex(static_cast<std::int64_t>(cln::cl_I_to_long(value)));
+  static const cln::cl_I prime = static_cast<long>(PrimeFieldComplex::prime);
+  return PrimeFieldComplex(static_cast<std::int64_t>(cln::cl_I_to_long(cln::mod(value, prime))));
+}
+
+// Powers of the values of symbols, each computed once.
+class PowerTable {
+ public:
+  explicit PowerTable(const std::vector<PrimeFieldComplex>& values) {
+    for (const PrimeFieldComplex& value : values) powers_.push_back({1, value});
+  }
+  const PrimeFieldComplex& operator()(std::size_t symbol, int power) {
+    std::vector<PrimeFieldComplex>& known = powers_[symbol];
+    while (known.size() <= static_cast<std::size_t>(power)) known.push_back(known.back() * known[1]);
+    return known[static_cast<std::size_t>(power)];
+  }
+
+ private:
+  std::vector<std::vector<PrimeFieldComplex>> powers_;
+};
+
+PrimeFieldComplex value_at(const Polynomial& p, const std::vector<PrimeFieldComplex>& values) {
+  PowerTable point(values);
+  PrimeFieldComplex sum;
+  for (std::size_t t = 0; t < p.size(); ++t) {
+    PrimeFieldComplex product = residue(p.coefficient(t));
+    for (std::size_t s = 0; s < p.symbols(); ++s)
+      if (const int power = p.power(t, s); power != 0) product *= point(s, power);
+    sum += product;
+  }
+  return sum;
+}
+
+// A symbol in which the factor is linear with a number as its slope: its term, which holds nothing else.
+std::optional<std::size_t> linear_symbol(const Polynomial& factor) {
+  for (std::size_t s = 0; s < factor.symbols(); ++s) {
+    std::size_t holding = 0;
+    bool alone = false;
+    for (std::size_t t = 0; t < factor.size(); ++t) {
+      if (factor.power(t, s) == 0) continue;
+      ++holding;
+      const std::vector<int> powers = factor.powers(t);
+      alone = std::count(powers.begin(), powers.end(), 0) + 1 == static_cast<std::ptrdiff_t>(powers.size()) &&
+              powers[s] == 1;
+    }
+    if (holding == 1 && alone) return s;
+  }
+  return std::nullopt;
+}
+
+// False only where the factor does not divide: at a point of the prime field at which it vanishes, all of its
+// multiples with integer coefficients vanish.
+bool may_divide(const Polynomial& numerator, const Polynomial& factor) {
+  const std::optional<std::size_t> solved = linear_symbol(factor);
+  if (!solved) return true;
+  std::vector<PrimeFieldComplex> point;
+  for (std::size_t s = 0; s < factor.symbols(); ++s) point.push_back(random_value("divisor", s));
+  point[*solved] = 0;
+  PrimeFieldComplex slope;
+  for (std::size_t t = 0; t < factor.size(); ++t)
+    if (factor.power(t, *solved) != 0) slope = residue(factor.coefficient(t));
+  if (slope.is_zero()) return true;
+  point[*solved] = -(value_at(factor, point) * slope.inverse());
+  return value_at(numerator, point).is_zero();
+}
+
+// --- polynomials in one symbol modulo the prime, from the constant upward
+
+using Image = std::vector<PrimeFieldComplex>;
+
+void drop_zeros(Image& p) {
+  while (!p.empty() && p.back().is_zero()) p.pop_back();
+}
+
+// At a point for all symbols but one.
+Image image(const Polynomial& p, std::size_t kept, PowerTable& point) {
+  Image result;
+  for (std::size_t t = 0; t < p.size(); ++t) {
+    PrimeFieldComplex product = residue(p.coefficient(t));
+    for (std::size_t s = 0; s < p.symbols(); ++s)
+      if (const int power = p.power(t, s); power != 0 && s != kept) product *= point(s, power);
+    const auto degree = static_cast<std::size_t>(p.power(t, kept));
+    if (result.size() <= degree) result.resize(degree + 1);
+    result[degree] += product;
+  }
+  return result;
+}
+
+std::size_t degree_of_common_divisor(Image a, Image b) {
+  while (!b.empty()) {
+    const PrimeFieldComplex lead = b.back().inverse();
+    while (a.size() >= b.size()) {
+      const PrimeFieldComplex share = a.back() * lead;
+      for (std::size_t i = 0; i < b.size(); ++i) {
+        PrimeFieldComplex& term = a[a.size() - b.size() + i];
+        term = term - share * b[i];
+      }
+      drop_zeros(a);
+    }
+    std::swap(a, b);
+  }
+  return a.size() - 1;
+}
+
+// True only where it is certain, of primitive polynomials. A common divisor keeps its degree in a symbol wherever
+// the leading coefficient of one of the two does not vanish: what is of degree zero at such a point of the prime
+// field is of degree zero.
+bool coprime(const Polynomial& a, const Polynomial& b) {
+  std::vector<PrimeFieldComplex> values;
+  for (std::size_t s = 0; s < a.symbols(); ++s) values.push_back(random_value("coprime", s));
+  PowerTable point(values);
+  for (std::size_t s = 0; s < a.symbols(); ++s) {
+    Image left = image(a, s, point), right = image(b, s, point);
+    if (left.size() == 1 || right.size() == 1) continue;  // the symbol is not in both
+    if (right.back().is_zero()) return false;
+    drop_zeros(left);
+    if (left.empty() || degree_of_common_divisor(std::move(left), std::move(right)) > 0) return false;
   }
   return true;
 }
 
-bool is_rational_polynomial(const GiNaC::ex& e) {
-  return e.info(GiNaC::info_flags::rational_polynomial);
+int degree(const Polynomial& p, std::size_t term) {
+  int sum = 0;
+  for (std::size_t s = 0; s < p.symbols(); ++s) sum += p.power(term, s);
+  return sum;
 }
 
-// N/f if f divides N.
-bool divide_out(GiNaC::ex& numerator, const GiNaC::ex& factor) {
-  GiNaC::ex quotient;
-  if (!GiNaC::divide(numerator, factor, quotient)) return false;
-  numerator = quotient.expand();
+// Without a common number and a common symbol such a polynomial has no factors.
+bool of_first_degree(const Polynomial& p) {
+  for (std::size_t t = 0; t < p.size(); ++t)
+    if (degree(p, t) > 1) return false;
   return true;
 }
 
-// For a linear factor: a point at which it vanishes, and N does not, settles the matter at once.
-bool may_divide(const GiNaC::ex& numerator, const GiNaC::ex& factor) {
-  if (!GiNaC::is_exactly_a<GiNaC::add>(factor) || !is_linear(factor)) return true;
-  GiNaC::exset symbols;
-  for (const GiNaC::ex& e : {numerator, factor})
-    for (GiNaC::const_preorder_iterator part = e.preorder_begin(); part != e.preorder_end(); ++part)
-      if (GiNaC::is_a<GiNaC::symbol>(*part)) symbols.insert(*part);
-  GiNaC::exmap point;
-  GiNaC::numeric next = 1009;  // far apart: nothing that small integers relate
-  for (const GiNaC::ex& symbol : symbols) {
-    point[symbol] = next;
-    next = next * 7 + 13;
-  }
-  for (const GiNaC::ex& symbol : symbols) {
-    const GiNaC::ex slope = factor.coeff(symbol, 1);
-    if (slope.is_zero()) continue;
-    GiNaC::exmap others = point;
-    others.erase(symbol);
-    point[symbol] = -factor.coeff(symbol, 0).subs(others, GiNaC::subs_options::no_pattern) / slope;
-    break;
-  }
-  return numerator.subs(point, GiNaC::subs_options::no_pattern).expand().is_zero();
+Polynomial one(std::size_t variables) {
+  return {variables, {{std::vector<int>(variables, 0), 1}}};
+}
+
+PrimeFieldComplex to_power(const PrimeFieldComplex& base, const PrimeFieldComplex& inverse, int power) {
+  PrimeFieldComplex result = 1;
+  for (int n = std::abs(power); n > 0; --n) result *= power > 0 ? base : inverse;
+  return result;
+}
+
+FractionTerms part_of(const FractionTerms& terms, cln::cl_RA FractionTerm::*part) {
+  FractionTerms result;
+  for (const FractionTerm& term : terms)
+    if (!cln::zerop(term.*part)) result.push_back({term.*part, 0, term.powers, term.divisors});
+  return result;
 }
 
 }  // namespace
 
-GiNaC::ex expanded_product(GiNaC::ex begin, const FactorPowers& factors) {
-  for (const auto& [factor, power] : factors)
-    for (int i = 0; i < power; ++i) begin = (begin * factor).expand();
-  return begin;
+FractionTerms real_part(const FractionTerms& terms) {
+  return part_of(terms, &FractionTerm::real);
 }
 
-bool FractionSums::add_irreducible(const GiNaC::ex& factor, int power, Part& part) {
-  if (GiNaC::is_exactly_a<GiNaC::numeric>(factor)) {
-    part.above /= GiNaC::pow(factor, power);
+FractionTerms imaginary_part(const FractionTerms& terms) {
+  return part_of(terms, &FractionTerm::imaginary);
+}
+
+Polynomial in_variables(const Polynomial& polynomial, const std::vector<std::size_t>& own,
+                        const std::vector<std::size_t>& variables) {
+  if (own == variables) return polynomial;
+  std::vector<std::size_t> place;
+  for (const std::size_t variable : own)
+    place.push_back(static_cast<std::size_t>(std::lower_bound(variables.begin(), variables.end(), variable) -
+                                             variables.begin()));
+  return polynomial.renumbered(place, variables.size());
+}
+
+FractionSums::FractionSums(const GiNaC::exvector& symbols) : symbols_(symbols) {
+  for (std::size_t i = 0; i < symbols.size(); ++i) place_[symbols[i]] = i;
+}
+
+// --- from expressions
+
+std::optional<FractionTerms> FractionSums::terms(const GiNaC::ex& expression) {
+  const bool is_sum = GiNaC::is_exactly_a<GiNaC::add>(expression);
+  FractionTerms result(is_sum ? expression.nops() : 1);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i].real = 1;
+    result[i].powers.assign(symbols_.size(), 0);
+    if (!read_product(is_sum ? expression.op(i) : expression, result[i])) return std::nullopt;
+  }
+  return result;
+}
+
+bool FractionSums::read_product(const GiNaC::ex& product, FractionTerm& term) {
+  const bool several = GiNaC::is_exactly_a<GiNaC::mul>(product);
+  for (std::size_t i = 0; i < (several ? product.nops() : 1); ++i) {
+    const GiNaC::ex factor = several ? product.op(i) : product;
+    if (GiNaC::is_exactly_a<GiNaC::numeric>(factor)) {
+      const auto& value = GiNaC::ex_to<GiNaC::numeric>(factor);
+      if (!value.is_crational()) return false;
+      const cln::cl_RA real = cln::the<cln::cl_RA>(value.real().to_cl_N()),
+                       imaginary = cln::the<cln::cl_RA>(value.imag().to_cl_N());
+      const cln::cl_RA turned = term.real * imaginary + term.imaginary * real;
+      term.real = term.real * real - term.imaginary * imaginary;
+      term.imaginary = turned;
+      continue;
+    }
+    const bool power = GiNaC::is_exactly_a<GiNaC::power>(factor);
+    if (power && !factor.op(1).info(GiNaC::info_flags::integer)) return false;
+    const int exponent = power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+    if (!read_power(power ? factor.op(0) : factor, exponent, term)) return false;
+  }
+  return true;
+}
+
+bool FractionSums::read_power(const GiNaC::ex& base, int exponent, FractionTerm& term) {
+  if (const auto place = place_.find(base); place != place_.end()) {
+    term.powers[place->second] += exponent;
     return true;
   }
-  GiNaC::ex primitive = factor;
-  if (GiNaC::is_exactly_a<GiNaC::add>(factor)) {
-    const GiNaC::numeric content = factor.integer_content();
-    primitive = (factor / content).expand();
-    part.above /= GiNaC::pow(content, power);
-    if (!known_.contains(primitive) && known_.contains((-primitive).expand())) {
-      primitive = (-primitive).expand();
-      if (power % 2 != 0) part.above = -part.above;
-    }
-  } else if (!GiNaC::is_a<GiNaC::symbol>(factor)) {
-    return false;
-  }
-  known_[primitive] = 1;
-  part.below[primitive] += power;
+  if (!GiNaC::is_exactly_a<GiNaC::add>(base)) return false;
+  if (exponent > 0 && !is_linear(base)) return false;
+  const std::optional<Product>& product = factors_of(base);
+  if (!product) return false;
+  const cln::cl_RA scale = cln::expt(product->scale, exponent);
+  term.real = term.real * scale;
+  term.imaginary = term.imaginary * scale;
+  for (std::size_t s = 0; s < symbols_.size(); ++s) term.powers[s] += exponent * product->powers[s];
+  for (const auto& [divisor, power] : product->divisors) multiply(term.divisors, divisor, exponent * power);
   return true;
 }
 
-bool FractionSums::add_divisor(const GiNaC::ex& base, int power, Part& part) {
-  if (!is_rational_polynomial(base)) return false;
-  if (!GiNaC::is_exactly_a<GiNaC::add>(base) || is_linear(base)) return add_irreducible(base, power, part);
-  const auto [known, is_new] = factored_.try_emplace(base);
-  if (is_new) known->second = GiNaC::factor(base);
-  const GiNaC::ex product = known->second;
-  const bool several = GiNaC::is_exactly_a<GiNaC::mul>(product);
-  for (std::size_t i = 0; i < (several ? product.nops() : 1); ++i) {
-    const GiNaC::ex factor = several ? product.op(i) : product;
+bool FractionSums::is_linear(const GiNaC::ex& sum) const {
+  return std::all_of(sum.begin(), sum.end(), [&](const GiNaC::ex& term) {
+    const bool scaled = GiNaC::is_exactly_a<GiNaC::mul>(term) && term.nops() == 2 &&
+                        GiNaC::is_exactly_a<GiNaC::numeric>(term.op(1));
+    return GiNaC::is_exactly_a<GiNaC::numeric>(term) || place_.contains(scaled ? term.op(0) : term);
+  });
+}
+
+const std::optional<FractionSums::Product>& FractionSums::factors_of(const GiNaC::ex& base) {
+  if (const auto known = products_.find(base); known != products_.end()) return known->second;
+  std::optional<FractionTerms> parts = terms(base);
+  if (!parts) parts = terms(base.expand());
+  std::optional<Product> product;
+  if (parts && std::all_of(parts->begin(), parts->end(), [](const auto& t) { return cln::zerop(t.imaginary); }))
+    product = factored(sum(*parts));
+  return products_[base] = std::move(product);
+}
+
+// The fraction with its numerator among the divisors; these divide: hence the signs of their powers.
+std::optional<FractionSums::Product> FractionSums::factored(const FactoredFraction& fraction) {
+  if (fraction.is_zero()) return std::nullopt;
+  Product product{fraction.scale, fraction.powers, fraction.divisors};
+  if (!fraction.numerator.is_one()) multiply(product.divisors, divisor(fraction.numerator, fraction.variables), -1);
+  return product;
+}
+
+// Into irreducible factors, which take the divisor's place from now on.
+void FractionSums::take_apart(std::size_t number) {
+  Product product{1, std::vector<int>(symbols_.size(), 0), {}};
+  const GiNaC::ex whole = GiNaC::factor(divisors_[number].expression);
+  const bool several = GiNaC::is_exactly_a<GiNaC::mul>(whole);
+  for (std::size_t i = 0; i < (several ? whole.nops() : 1); ++i) {
+    const GiNaC::ex factor = several ? whole.op(i) : whole;
     const bool repeated = GiNaC::is_exactly_a<GiNaC::power>(factor);
     const int times = repeated ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    if (!add_irreducible(repeated ? factor.op(0) : factor, times * power, part)) return false;
+    const FactoredFraction one = sum(terms((repeated ? factor.op(0) : factor).expand()).value());
+    product.scale = product.scale * cln::expt(one.scale, times);
+    if (one.numerator.is_one()) continue;
+    const std::size_t found = divisor(one.numerator, one.variables);
+    divisors_[found].irreducible = true;
+    multiply(product.divisors, found, times);
   }
-  return true;
+  if (!divisors_[number].irreducible) divisors_[number].apart = std::move(product);
 }
 
-std::optional<FractionSums::Part> FractionSums::taken_apart(const GiNaC::ex& product) {
-  Part part;
-  const bool several = GiNaC::is_exactly_a<GiNaC::mul>(product);
-  for (std::size_t i = 0; i < (several ? product.nops() : 1); ++i) {
-    const GiNaC::ex factor = several ? product.op(i) : product;
-    if (GiNaC::is_exactly_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::negint)) {
-      if (!add_divisor(factor.op(0), -GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int(), part))
-        return std::nullopt;
-    } else if (is_rational_polynomial(factor)) {
-      part.above *= factor;
-    } else {
-      return std::nullopt;
+// The factors of divisors that were taken apart in their place; the number that they multiply by is returned.
+cln::cl_RA FractionSums::bring_up_to_date(DivisorPowers& divisors) const {
+  cln::cl_RA scale = 1;
+  for (const auto& [number, power] : DivisorPowers(divisors)) {
+    if (!divisors_[number].apart) continue;
+    const Product& product = *divisors_[number].apart;
+    scale = scale * cln::expt(product.scale, -power);
+    multiply(divisors, number, -power);
+    for (const auto& [factor, times] : product.divisors) multiply(divisors, factor, times * power);
+  }
+  return scale;
+}
+
+FractionTerms FractionSums::up_to_date(FractionTerms terms) const {
+  for (FractionTerm& term : terms) {
+    if (std::none_of(term.divisors.begin(), term.divisors.end(),
+                     [&](const auto& entry) { return divisors_[entry.first].apart.has_value(); }))
+      continue;
+    const cln::cl_RA scale = bring_up_to_date(term.divisors);
+    term.real = term.real * scale;
+    term.imaginary = term.imaginary * scale;
+  }
+  return terms;
+}
+
+// The first of two divisors that may have a factor in common, one that may be taken apart.
+std::optional<std::size_t> FractionSums::with_a_factor_in_common(const DivisorPowers& divisors) {
+  for (std::size_t a = 0; a < divisors.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (const std::size_t x = divisors[a].first, y = divisors[b].first; !share_no_factor(x, y))
+        return divisors_[x].irreducible ? y : x;
+  return std::nullopt;
+}
+
+bool FractionSums::share_no_factor(std::size_t a, std::size_t b) {
+  const Divisor &left = divisors_[a], &right = divisors_[b];
+  if (left.irreducible && right.irreducible) return true;
+  const auto [known, added] = coprime_.try_emplace(std::minmax(a, b));
+  if (added) {
+    const std::vector<std::size_t> variables = united(left.variables, right.variables);
+    known->second = coprime(in_variables(left.polynomial, left.variables, variables),
+                            in_variables(right.polynomial, right.variables, variables));
+  }
+  return known->second;
+}
+
+// In symbols that occur alone, so that one divisor has one number.
+std::size_t FractionSums::divisor(const Polynomial& primitive, const std::vector<std::size_t>& variables) {
+  Divisor found;
+  for (std::size_t s = 0; s < variables.size(); ++s)
+    for (std::size_t t = 0; t < primitive.size(); ++t)
+      if (primitive.power(t, s) != 0) {
+        found.variables.push_back(variables[s]);
+        break;
+      }
+  std::vector<Polynomial::Term> terms;
+  std::vector<std::string> name;
+  for (std::size_t t = 0; t < primitive.size(); ++t) {
+    std::ostringstream text;
+    Polynomial::Term term{{}, primitive.coefficient(t)};
+    text << term.coefficient;
+    for (std::size_t s = 0; s < variables.size(); ++s) {
+      const int power = primitive.power(t, s);
+      if (std::binary_search(found.variables.begin(), found.variables.end(), variables[s]))
+        term.powers.push_back(power);
+      if (power != 0) text << ' ' << variables[s] << ' ' << power;
     }
+    terms.push_back(std::move(term));
+    name.push_back(text.str());
   }
-  return part;
+  const auto [known, added] = number_of_.try_emplace(std::move(name), divisors_.size());
+  if (added) {
+    found.polynomial = Polynomial(found.variables.size(), terms);
+    found.expression = expression(found.polynomial, found.variables);
+    found.irreducible = of_first_degree(found.polynomial);
+    divisors_.push_back(std::move(found));
+  }
+  return known->second;
 }
 
-// Over a denominator that has the factors of both.
-FractionSums::Part FractionSums::merged(const Part& a, const Part& b) {
-  Part sum{0, a.below};
-  for (const auto& [factor, power] : b.below) sum.below[factor] = std::max(sum.below[factor], power);
-  for (const Part* part : {&a, &b}) {
-    FactorPowers missing = sum.below;
-    for (const auto& [factor, power] : part->below) missing[factor] -= power;
-    sum.above += expanded_product(part->above, missing);
-  }
-  sum.above = sum.above.expand();
-  return sum;
-}
+// --- sums
 
-std::optional<FactoredFraction> FractionSums::sum(const GiNaC::exvector& parts) {
-  std::vector<Part> fractions;
-  for (const GiNaC::ex& product : parts) {
-    std::optional<Part> part = taken_apart(product);
-    if (!part) return std::nullopt;
-    part->above = part->above.expand();
-    fractions.push_back(std::move(*part));
+struct FractionSums::Part {
+  cln::cl_I coefficient;
+  std::vector<int> powers;   // of the variables
+  std::vector<int> missing;  // of each divisor, to the common denominator
+};
+
+// sum of coefficient * monomial * product of missing divisors, by Horner's rule divisor by divisor: the one that
+// most parts miss multiplies all of them together, last.
+class FractionSums::Combination {
+ public:
+  Combination(std::vector<Part> parts, std::vector<Polynomial> divisors, std::size_t variables, std::size_t& work)
+      : parts_(std::move(parts)), divisors_(std::move(divisors)), variables_(variables), work_(work) {}
+
+  Polynomial all() {
+    std::vector<std::size_t> members(parts_.size()), open(divisors_.size());
+    for (std::size_t i = 0; i < members.size(); ++i) members[i] = i;
+    for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
+    return of(members, open);
   }
-  // A factor that but one part has in its highest power divides all of the sum except that part.
-  FactorPowers highest, times;
-  for (const Part& part : fractions)
-    for (const auto& [factor, power] : part.below) {
-      if (power > highest[factor]) times[factor] = 0;
-      highest[factor] = std::max(highest[factor], power);
-      if (power == highest[factor]) ++times[factor];
+
+ private:
+  Polynomial of(const std::vector<std::size_t>& members, const std::vector<std::size_t>& open) {
+    std::size_t most = 0, chosen = 0;
+    std::vector<std::size_t> wanted;
+    for (const std::size_t d : open) {
+      const auto count = static_cast<std::size_t>(
+          std::count_if(members.begin(), members.end(), [&](std::size_t m) { return parts_[m].missing[d] > 0; }));
+      if (count > 0) wanted.push_back(d);
+      if (count > most) {
+        most = count;
+        chosen = d;
+      }
     }
-  for (; fractions.size() > 1; fractions.resize((fractions.size() + 1) / 2))  // by pairs: small products first
-    for (std::size_t i = 0; i < fractions.size(); i += 2)
-      fractions[i / 2] = i + 1 < fractions.size() ? merged(fractions[i], fractions[i + 1]) : fractions[i];
-  FactoredFraction result{fractions.front().above, fractions.front().below};
-  if (result.numerator.is_zero()) return FactoredFraction{0, {}};
-  for (auto& [factor, power] : result.denominator)
-    while (times[factor] > 1 && power > 0 && may_divide(result.numerator, factor) &&
-           divide_out(result.numerator, factor))
-      --power;
+    if (most == 0) {
+      std::vector<Polynomial::Term> terms;
+      for (const std::size_t m : members) terms.push_back({parts_[m].powers, parts_[m].coefficient});
+      return counted(Polynomial(variables_, terms));
+    }
+    std::erase(wanted, chosen);
+    std::map<int, std::vector<std::size_t>, std::greater<>> groups;
+    for (const std::size_t m : members) groups[parts_[m].missing[chosen]].push_back(m);
+    Polynomial sum(variables_);
+    int power = groups.begin()->first;
+    for (const auto& [missing, group] : groups) {
+      for (; power > missing; --power) sum = counted(sum * divisors_[chosen]);
+      sum = counted(sum + of(group, wanted));
+    }
+    for (; power > 0; --power) sum = counted(sum * divisors_[chosen]);
+    return sum;
+  }
+
+  Polynomial counted(Polynomial p) {
+    work_ += p.size();
+    return p;
+  }
+
+  std::vector<Part> parts_;
+  std::vector<Polynomial> divisors_;
+  std::size_t variables_;
+  std::size_t& work_;
+};
+
+// Divisors are irreducible, or taken for it until it matters: where two of them have something in common, or one
+// and a numerator, the one is taken apart, and the sum begun again.
+FactoredFraction FractionSums::sum(const FractionTerms& terms) {
+  FractionTerms current = up_to_date(terms);
+  while (true) {
+    std::optional<std::size_t> reducible;
+    FactoredFraction result = sum(current, reducible);
+    if (!reducible) return result;
+    take_apart(*reducible);
+    current = up_to_date(std::move(current));
+  }
+}
+
+FactoredFraction FractionSums::sum(const FractionTerms& terms, std::optional<std::size_t>& reducible) {
+  FactoredFraction result;
+  result.powers.assign(symbols_.size(), 0);
+  std::vector<const FractionTerm*> present;
+  for (const FractionTerm& term : terms)
+    if (!cln::zerop(term.real)) present.push_back(&term);
+  if (present.empty()) return result;
+  if (present.size() == 1) {
+    result.scale = present.front()->real;
+    result.powers = present.front()->powers;
+    result.divisors = present.front()->divisors;
+    result.numerator = one(0);
+    reducible = with_a_factor_in_common(result.divisors);
+    return result;
+  }
+
+  // The common denominator: the highest power of every divisor, and how many terms have it; the lowest of symbols.
+  DivisorPowers highest;
+  for (const FractionTerm* term : present)
+    for (const auto& [divisor, power] : term->divisors)
+      if (power_of(highest, divisor) == 0) multiply(highest, divisor, power);
+  reducible = with_a_factor_in_common(highest);
+  if (reducible) return result;
+  std::vector<std::size_t> times(highest.size(), 0);
+  for (std::size_t d = 0; d < highest.size(); ++d) {
+    auto& [divisor, power] = highest[d];
+    power = std::numeric_limits<int>::min();
+    for (const FractionTerm* term : present) power = std::max(power, power_of(term->divisors, divisor));
+    for (const FractionTerm* term : present) times[d] += power_of(term->divisors, divisor) == power ? 1U : 0U;
+  }
+  result.powers = present.front()->powers;
+  std::vector<bool> varies(symbols_.size(), false);
+  for (const FractionTerm* term : present)
+    for (std::size_t s = 0; s < symbols_.size(); ++s) {
+      varies[s] = varies[s] || term->powers[s] != result.powers[s];
+      result.powers[s] = std::min(result.powers[s], term->powers[s]);
+    }
+  for (const auto& [divisor, power] : highest)
+    for (const std::size_t variable : divisors_[divisor].variables) varies[variable] = true;
+  for (std::size_t s = 0; s < symbols_.size(); ++s)
+    if (varies[s]) result.variables.push_back(s);
+
+  cln::cl_I common = 1;
+  for (const FractionTerm* term : present)
+    if (const cln::cl_I denominator = cln::denominator(term->real); denominator != 1)
+      common = cln::lcm(common, denominator);
+  std::vector<Part> parts;
+  for (const FractionTerm* term : present) {
+    Part part{cln::numerator(term->real) * cln::exquo(common, cln::denominator(term->real)), {}, {}};
+    for (const std::size_t s : result.variables) part.powers.push_back(term->powers[s] - result.powers[s]);
+    for (const auto& [divisor, power] : highest) part.missing.push_back(power - power_of(term->divisors, divisor));
+    parts.push_back(std::move(part));
+  }
+  std::vector<Polynomial> polynomials;
+  for (const auto& [divisor, power] : highest)
+    polynomials.push_back(
+        in_variables(divisors_[divisor].polynomial, divisors_[divisor].variables, result.variables));
+  result.numerator = Combination(std::move(parts), std::move(polynomials), result.variables.size(), work_).all();
+  if (result.numerator.is_zero()) return {0, std::vector<int>(symbols_.size(), 0), {}, Polynomial(), {}};
+  result.scale = result.numerator.make_primitive() / common;
+  const std::vector<int> monomial = result.numerator.take_out_monomial();
+  for (std::size_t v = 0; v < result.variables.size(); ++v) result.powers[result.variables[v]] += monomial[v];
+  // A divisor that but one term has in its highest power divides all of the numerator except that term's share.
+  DivisorPowers may_cancel;
+  for (std::size_t d = 0; d < highest.size(); ++d) {
+    if (highest[d].second != 0) result.divisors.push_back(highest[d]);
+    if (highest[d].second > 0 && times[d] > 1) may_cancel.push_back(highest[d]);
+  }
+  reducible = reduce(result, may_cancel);
   return result;
+}
+
+// Cancels what of these divisors cancels, up to their powers; one that may do so in part is returned.
+std::optional<std::size_t> FractionSums::reduce(FactoredFraction& fraction, const DivisorPowers& by) {
+  for (const auto& [number, most] : by) {
+    const Divisor& divisor = divisors_[number];
+    if (std::any_of(divisor.variables.begin(), divisor.variables.end(), [&](std::size_t v) {
+          return !std::binary_search(fraction.variables.begin(), fraction.variables.end(), v);
+        }))
+      continue;
+    const Polynomial factor = in_variables(divisor.polynomial, divisor.variables, fraction.variables);
+    const auto may_cancel = [&] {
+      return divisor.irreducible ? may_divide(fraction.numerator, factor) : !coprime(fraction.numerator, factor);
+    };
+    for (int power = most; power > 0 && may_cancel(); --power) {
+      std::optional<Polynomial> quotient = divided(fraction.numerator, factor);
+      if (!quotient && !divisor.irreducible) return number;
+      if (!quotient) break;
+      work_ += quotient->size();
+      fraction.numerator = std::move(*quotient);
+      multiply(fraction.divisors, number, -1);
+    }
+  }
+  return std::nullopt;
+}
+
+Polynomial FractionSums::expanded(const DivisorPowers& divisors, const std::vector<std::size_t>& variables) const {
+  Polynomial product = one(variables.size());
+  for (const auto& [divisor, power] : divisors) {
+    if (power <= 0) continue;
+    const Polynomial factor = in_variables(divisors_[divisor].polynomial, divisors_[divisor].variables, variables);
+    for (int n = 0; n < power; ++n) product = product * factor;
+  }
+  return product;
+}
+
+// --- products
+
+FactoredFraction FractionSums::in_lowest_terms(FactoredFraction fraction) {
+  while (true) {
+    fraction.scale = fraction.scale * bring_up_to_date(fraction.divisors);
+    std::optional<std::size_t> reducible = with_a_factor_in_common(fraction.divisors);
+    DivisorPowers dividing;
+    std::copy_if(fraction.divisors.begin(), fraction.divisors.end(), std::back_inserter(dividing),
+                 [](const auto& entry) { return entry.second > 0; });
+    if (!reducible) reducible = reduce(fraction, dividing);
+    if (!reducible) return fraction;
+    take_apart(*reducible);
+  }
+}
+
+FactoredFraction FractionSums::product(const FactoredFraction& a, const FactoredFraction& b) {
+  if (a.is_zero()) return a;
+  if (b.is_zero()) return b;
+  FactoredFraction result = a;
+  result.scale = a.scale * b.scale;
+  for (std::size_t s = 0; s < symbols_.size(); ++s) result.powers[s] += b.powers[s];
+  for (const auto& [divisor, power] : b.divisors) multiply(result.divisors, divisor, power);
+  result.variables = united(a.variables, b.variables);
+  result.numerator = in_variables(a.numerator, a.variables, result.variables) *
+                     in_variables(b.numerator, b.variables, result.variables);
+  return in_lowest_terms(std::move(result));
+}
+
+// Where one numerator divides the other one it is no divisor by itself: that would have to be taken apart.
+FactoredFraction FractionSums::quotient(const FactoredFraction& above, const FactoredFraction& below) {
+  if (below.is_zero()) throw std::domain_error("division by zero");
+  FactoredFraction left = above, inverse = below;
+  left.variables = inverse.variables = united(above.variables, below.variables);
+  left.numerator = in_variables(above.numerator, above.variables, left.variables);
+  Polynomial denominator = in_variables(below.numerator, below.variables, left.variables);
+  if (!above.is_zero()) {
+    if (std::optional<Polynomial> whole = divided(left.numerator, denominator)) {
+      left.numerator = std::move(*whole);
+      denominator = one(left.variables.size());
+    } else if (std::optional<Polynomial> part = divided(denominator, left.numerator)) {
+      left.numerator = one(left.variables.size());
+      denominator = std::move(*part);
+    }
+  }
+  inverse.scale = 1 / below.scale;
+  for (int& power : inverse.powers) power = -power;
+  for (auto& entry : inverse.divisors) entry.second = -entry.second;
+  inverse.numerator = one(left.variables.size());
+  if (!denominator.is_one()) multiply(inverse.divisors, divisor(denominator, left.variables), 1);
+  return product(left, inverse);
+}
+
+// --- back to expressions
+
+GiNaC::ex FractionSums::expression(const Polynomial& polynomial, const std::vector<std::size_t>& variables) const {
+  GiNaC::exvector terms;
+  for (std::size_t t = 0; t < polynomial.size(); ++t) {
+    GiNaC::exvector factors = {number(polynomial.coefficient(t))};
+    for (std::size_t v = 0; v < variables.size(); ++v)
+      if (const int power = polynomial.power(t, v); power != 0)
+        factors.push_back(GiNaC::pow(symbols_[variables[v]], power));
+    terms.push_back(GiNaC::mul(factors));
+  }
+  return GiNaC::add(terms);
+}
+
+GiNaC::ex FractionSums::expression(const FractionTerms& terms) const {
+  GiNaC::exvector sum;
+  for (const FractionTerm& term : terms) {
+    GiNaC::exvector factors = {number(term.real) + GiNaC::I * number(term.imaginary)};
+    for (std::size_t s = 0; s < symbols_.size(); ++s)
+      if (term.powers[s] != 0) factors.push_back(GiNaC::pow(symbols_[s], term.powers[s]));
+    for (const auto& [divisor, power] : term.divisors)
+      factors.push_back(GiNaC::pow(divisors_[divisor].expression, -power));
+    sum.push_back(GiNaC::mul(factors));
+  }
+  return GiNaC::add(sum);
+}
+
+GiNaC::ex FractionSums::expression(const FactoredFraction& fraction) const {
+  if (fraction.is_zero()) return 0;
+  return expression({{fraction.scale, 0, fraction.powers, fraction.divisors}}) *
+         expression(fraction.numerator, fraction.variables);
+}
+
+bool FractionSums::has(const FractionTerms& terms, std::size_t symbol) const {
+  return std::any_of(terms.begin(), terms.end(), [&](const FractionTerm& term) {
+    return term.powers[symbol] != 0 ||
+           std::any_of(term.divisors.begin(), term.divisors.end(), [&](const auto& entry) {
+             const std::vector<std::size_t>& variables = divisors_[entry.first].variables;
+             return std::binary_search(variables.begin(), variables.end(), symbol);
+           });
+  });
+}
+
+// --- values
+
+FractionPoint::FractionPoint(const FractionSums& sums, std::vector<PrimeFieldComplex> values)
+    : sums_(sums), values_(std::move(values)) {
+  for (const PrimeFieldComplex& value : values_) inverses_.push_back(value.inverse());
+}
+
+PrimeFieldComplex FractionPoint::value(const FractionTerms& terms) {
+  for (std::size_t d = divisors_.size(); d < sums_.divisors(); ++d) {
+    std::vector<PrimeFieldComplex> point;
+    for (const std::size_t variable : sums_.variables(d)) point.push_back(values_[variable]);
+    divisors_.push_back(value_at(sums_.divisor(d), point));
+    inverse_divisors_.push_back(divisors_.back().inverse());
+  }
+  PrimeFieldComplex sum;
+  for (const FractionTerm& term : terms) {
+    PrimeFieldComplex product = residue(cln::numerator(term.real));
+    if (const cln::cl_I denominator = cln::denominator(term.real); denominator != 1)
+      product *= residue(denominator).inverse();
+    for (std::size_t s = 0; s < values_.size(); ++s)
+      if (term.powers[s] != 0) product *= to_power(values_[s], inverses_[s], term.powers[s]);
+    for (const auto& [divisor, power] : term.divisors)
+      product *= to_power(inverse_divisors_[divisor], divisors_[divisor], power);
+    sum += product;
+  }
+  return sum;
 }
 
 }  // namespace secular

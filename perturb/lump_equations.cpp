@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -18,63 +20,47 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-GiNaC::exvector terms_of(const ex& sum) {
-  if (!GiNaC::is_exactly_a<GiNaC::add>(sum)) return {sum};
-  return {sum.begin(), sum.end()};
-}
-
-// above/below in few factors, by what is known of their denominators: greatest common divisors in the frequencies
-// of several modes come to no end.
-ex quotient(const ex& above, const ex& below) {
-  FractionSums sums;
-  const auto numerator = sums.sum(terms_of(above.expand())), denominator = sums.sum(terms_of(below.expand()));
-  if (!numerator || !denominator) return (above / below).normal();
-  ex ratio;
-  if (!GiNaC::divide(numerator->numerator, denominator->numerator, ratio))
-    ratio = (numerator->numerator / denominator->numerator).normal();
-  FactorPowers powers = denominator->denominator;
-  for (const auto& [factor, power] : numerator->denominator) powers[factor] -= power;
-  for (const auto& [factor, power] : powers) ratio *= GiNaC::pow(factor, power);
-  return ratio;
-}
-
 class LumpFinder {
  public:
-  explicit LumpFinder(const Model& model) : model_(model), first_(point(model, 1)), second_(point(model, 2)) {
+  LumpFinder(const Model& model, FractionSums& sums)
+      : model_(model), sums_(sums), first_(point(1)), second_(point(2)) {
+    for (const std::string& name : model.parameters) parameters_.push_back(sums.place(model.symbols.at(name)));
     for (const Shorthand& shorthand : model.shorthands)
       named_.push_back(candidate(
-          {shorthand.name, formula_value(shorthand.expression, shorthand.source,
-                                         [&](const Expression& s) { return ex(model.symbols.at(s.text)); })}));
+          shorthand.name, read(formula_value(shorthand.expression, shorthand.source,
+                                             [&](const Expression& s) { return ex(model.symbols.at(s.text)); }))));
   }
 
   struct Split {
     std::size_t lump;
-    ex factor;
+    FactoredFraction factor;
   };
 
   // coefficient = factor(frequencies) * lump. Nothing if the only fitting lump would depend on an excitation
   // frequency.
-  std::optional<Split> split(const ex& coefficient, const std::string& fallback_name) {
-    std::vector<std::string> present;
-    for (const std::string& name : model_.parameters)
-      if (coefficient.has(model_.symbols.at(name))) present.push_back(name);
-    if (present.empty()) return Split{use(candidate({"one", 1})), coefficient};
-    const Candidate whole = candidate({fallback_name, coefficient});
+  std::optional<Split> split(const FractionTerms& coefficient, const std::string& fallback_name) {
+    std::vector<std::size_t> present;
+    for (std::size_t p = 0; p < parameters_.size(); ++p)
+      if (sums_.has(coefficient, parameters_[p])) present.push_back(p);
+    if (present.empty()) return Split{use(candidate("one", read(1))), sums_.sum(coefficient)};
+    Candidate whole = candidate(fallback_name, coefficient);
     if (present.size() == 1) {
-      const Candidate single = candidate({present.front(), model_.symbols.at(present.front())});
-      if (const auto ratio = proportion(whole, single)) return Split{use(single), *ratio};
+      const std::string& name = model_.parameters[present.front()];
+      Candidate single = candidate(name, read(model_.symbols.at(name)));
+      if (auto ratio = proportion(whole, single)) return Split{use(std::move(single)), std::move(*ratio)};
     }
     for (const std::vector<Candidate>* candidates : {&named_, &used_})
       for (const Candidate& other : *candidates)
-        if (const auto ratio = proportion(whole, other)) return Split{use(other), *ratio};
+        if (auto ratio = proportion(whole, other)) return Split{use(other), std::move(*ratio)};
     for (const Excitation& excitation : model_.excitations)
-      if (coefficient.has(model_.symbols.at(excitation.frequency))) return std::nullopt;
-    return Split{use(whole), 1};
+      if (sums_.has(coefficient, sums_.place(model_.symbols.at(excitation.frequency)))) return std::nullopt;
+    return Split{use(std::move(whole)), sums_.sum(read(1))};
   }
 
   std::vector<Lump> lumps() const {
     std::vector<Lump> lumps;
-    for (const Candidate& candidate : used_) lumps.push_back(candidate.lump);
+    for (const Candidate& candidate : used_)
+      lumps.push_back({candidate.name, sums_.expression(candidate.definition)});
     return lumps;
   }
   std::size_t size() const { return used_.size(); }
@@ -85,57 +71,93 @@ class LumpFinder {
  private:
   // A definition with its values at two random points that differ in the parameters only.
   struct Candidate {
-    Lump lump;
+    std::string name;
+    FractionTerms definition;
     PrimeFieldComplex first, second;
   };
 
-  Candidate candidate(Lump lump) {
-    const PrimeFieldComplex first = first_.value(lump.definition), second = second_.value(lump.definition);
-    return {std::move(lump), first, second};
+  FractionTerms read(const ex& definition) {
+    std::optional<FractionTerms> terms = sums_.terms(definition.expand());
+    if (!terms) throw std::logic_error("a lump is not rational in the model's symbols");
+    return std::move(*terms);
+  }
+
+  Candidate candidate(std::string name, FractionTerms definition) {
+    const PrimeFieldComplex first = first_.value(definition), second = second_.value(definition);
+    return {std::move(name), std::move(definition), first, second};
   }
 
   // All symbols from draw 0, parameters from the one given.
-  static RandomPoint point(const Model& model, std::uint64_t parameter_draw) {
-    return RandomPoint([&model, parameter_draw](const std::string& name) {
-      const bool parameter =
-          std::find(model.parameters.begin(), model.parameters.end(), name) != model.parameters.end();
-      return parameter ? parameter_draw : std::uint64_t{0};
-    });
+  FractionPoint point(std::uint64_t parameter_draw) const {
+    std::vector<PrimeFieldComplex> values(model_.symbols.names().size() + 1, random_value("Pi", 0));
+    for (const std::string& name : model_.symbols.names())
+      values[sums_.place(model_.symbols.at(name))] = random_value(name, 0);
+    for (const std::string& name : model_.parameters)
+      values[sums_.place(model_.symbols.at(name))] = random_value(name, parameter_draw);
+    return FractionPoint(sums_, std::move(values));
   }
 
-  // The ratio of two expressions if it is free of parameters. Decided at the random points; then parameters that
-  // show the ratio are put in, so that a common denominator of frequencies alone is formed.
-  std::optional<ex> proportion(const Candidate& above, const Candidate& below_it) const {
-    if (above.first * below_it.second != above.second * below_it.first) return std::nullopt;
-    const ex &coefficient = above.lump.definition, &definition = below_it.lump.definition;
-    for (const std::string& chosen : model_.parameters) {
-      if (!definition.has(model_.symbols.at(chosen))) continue;
-      GiNaC::exmap values;
-      for (const std::string& name : model_.parameters) values[model_.symbols.at(name)] = name == chosen ? 1 : 0;
-      try {
-        const ex below = definition.subs(values, GiNaC::subs_options::no_pattern);
-        if (vanishes(below)) continue;
-        return quotient(coefficient.subs(values, GiNaC::subs_options::no_pattern), below);
-      } catch (const GiNaC::pole_error&) {
-        continue;
+  // The sum with numbers for parameters; none for a division by zero.
+  std::optional<FactoredFraction> at(const FractionTerms& terms, const std::vector<long>& values) {
+    FractionTerms result;
+    for (const FractionTerm& term : terms) {
+      FractionTerm rest = term;
+      for (std::size_t p = 0; p < parameters_.size(); ++p) {
+        int& power = rest.powers[parameters_[p]];
+        if (power < 0 && values[p] == 0) return std::nullopt;
+        if (power != 0) rest.real = rest.real * cln::expt(cln::cl_RA(values[p]), power);
+        power = 0;
       }
+      result.push_back(std::move(rest));
     }
-    long next = 2;  // every single parameter alone makes it vanish, as in a product of two
-    GiNaC::exmap values;
-    for (const std::string& name : model_.parameters) values[model_.symbols.at(name)] = next++;
-    return quotient(coefficient.subs(values, GiNaC::subs_options::no_pattern),
-                    definition.subs(values, GiNaC::subs_options::no_pattern));
+    if (std::none_of(parameters_.begin(), parameters_.end(),
+                     [&](std::size_t parameter) { return sums_.has(result, parameter); }))
+      return sums_.sum(result);
+    GiNaC::exmap numbers;  // parameters in divisors
+    for (std::size_t p = 0; p < parameters_.size(); ++p)
+      numbers[model_.symbols.at(model_.parameters[p])] = values[p];
+    try {
+      return sums_.sum(read(sums_.expression(result).subs(numbers, GiNaC::subs_options::no_pattern)));
+    } catch (const GiNaC::pole_error&) {
+      return std::nullopt;
+    }
+  }
+
+  // The ratio of two sums if it is free of parameters. Decided at the random points; then parameters that show the
+  // ratio are put in, so that a common denominator of frequencies alone is formed.
+  std::optional<FactoredFraction> proportion(const Candidate& above, const Candidate& below_it) {
+    if (above.first * below_it.second != above.second * below_it.first) return std::nullopt;
+    const auto ratio = [&](const std::vector<long>& values) -> std::optional<FactoredFraction> {
+      const std::optional<FactoredFraction> below = at(below_it.definition, values);
+      if (!below || below->is_zero()) return std::nullopt;
+      const std::optional<FactoredFraction> numerator = at(above.definition, values);
+      if (!numerator) return std::nullopt;
+      return sums_.quotient(*numerator, *below);
+    };
+    for (std::size_t chosen = 0; chosen < parameters_.size(); ++chosen) {
+      if (!sums_.has(below_it.definition, parameters_[chosen])) continue;
+      std::vector<long> values(parameters_.size(), 0);
+      values[chosen] = 1;
+      if (auto found = ratio(values)) return found;
+    }
+    // Every single parameter alone makes it vanish, as in a product of two.
+    std::vector<long> values(parameters_.size());
+    std::iota(values.begin(), values.end(), 2L);
+    if (auto found = ratio(values)) return found;
+    throw std::logic_error("a lump vanishes at a point");
   }
 
   std::size_t use(Candidate candidate) {
     for (std::size_t i = 0; i < used_.size(); ++i)
-      if (used_[i].lump.name == candidate.lump.name) return i;
+      if (used_[i].name == candidate.name) return i;
     used_.push_back(std::move(candidate));
     return used_.size() - 1;
   }
 
   const Model& model_;
-  RandomPoint first_, second_;
+  FractionSums& sums_;
+  FractionPoint first_, second_;
+  std::vector<std::size_t> parameters_;  // places of their symbols
   std::vector<Candidate> named_;
   std::vector<Candidate> used_;
 };
@@ -157,55 +179,67 @@ std::string powers_name(const FieldKey& key, const FieldLayout& layout, const Mo
 
 // One product of powers of the detunings in a coefficient.
 struct DetunedPart {
-  ex coefficient;      // free of detunings
-  ex detunings = 1;    // in terms of the frequencies: sigma = (Omega - 2*omega0)/c for Omega = 2*omega0 + c*sigma
+  FractionTerms coefficient;  // free of detunings
+  FactoredFraction
+      detunings;       // in terms of the frequencies: sigma = (Omega - 2*omega0)/c for Omega = 2*omega0 + c*sigma
   std::string suffix;  // for names: "_sigma2"
 };
 
 // Detunings are known from measured frequencies, so that they belong to the columns and never to a lump.
-std::vector<DetunedPart> without_detunings(const Derivation& d, const ex& coefficient) {
-  std::vector<DetunedPart> parts = {{coefficient, 1, ""}};
+std::vector<DetunedPart> without_detunings(const Derivation& d, FractionTerms coefficient, FractionSums& sums) {
+  const auto fraction = [&](const ex& e) { return sums.sum(sums.terms(e).value()); };
+  std::vector<DetunedPart> parts = {{std::move(coefficient), fraction(1), ""}};
   for (const ResonanceRelation& relation : d.resonance->relations) {
     if (relation.detuning.empty()) continue;
-    const ex& sigma = d.model->symbols.at(relation.detuning);
-    ex value = 0;
-    for (std::size_t i = 0; i < relation.multiples.size(); ++i)
-      value += relation.multiples[i] * d.model->frequency(i);
+    const std::size_t sigma = sums.place(d.model->symbols.at(relation.detuning));
     std::vector<DetunedPart> next;
-    for (const DetunedPart& part : parts)
-      for (int power = 0; power <= part.coefficient.degree(sigma); ++power) {
-        const ex alone = part.coefficient.coeff(sigma, power).expand();
-        if (alone.is_zero()) continue;
-        next.push_back(
-            {alone, part.detunings * GiNaC::pow(value / relation.coefficient, power),
-             part.suffix +
-                 (power == 0 ? "" : "_" + relation.detuning + (power == 1 ? "" : std::to_string(power)))});
+    for (DetunedPart& part : parts) {
+      std::map<int, FractionTerms> by_power;
+      for (FractionTerm& term : part.coefficient) {
+        const int power = std::exchange(term.powers[sigma], 0);
+        by_power[power].push_back(std::move(term));
       }
+      for (auto& [power, alone] : by_power) {
+        if (power == 0) {
+          next.push_back({std::move(alone), part.detunings, part.suffix});
+          continue;
+        }
+        ex value = 0;
+        for (std::size_t i = 0; i < relation.multiples.size(); ++i)
+          value += relation.multiples[i] * d.model->frequency(i);
+        next.push_back({std::move(alone),
+                        sums.product(part.detunings, fraction(GiNaC::pow(value / relation.coefficient, power))),
+                        part.suffix + "_" + relation.detuning + (power == 1 ? "" : std::to_string(power))});
+      }
+    }
     parts = std::move(next);
   }
   return parts;
 }
 
 // A term of a field with its key, in a fixed order (by key).
-bool append_terms(LumpEquation& block, LumpFinder& finder, const Derivation& d,
+bool append_terms(LumpEquation& block, LumpFinder& finder, const Derivation& d, FractionSums& sums,
                   const std::vector<std::pair<FieldKey, ex>>& terms) {
-  for (const auto& [key, coefficient] : terms)
+  for (const auto& [key, coefficient] : terms) {
+    const std::optional<FractionTerms> whole = sums.terms(coefficient);
+    if (!whole) throw std::logic_error("a coefficient is not rational in the model's symbols");
     for (const bool imaginary : {false, true}) {
-      const ex part = (imaginary ? coefficient.imag_part() : coefficient.real_part()).expand();
-      if (part.is_zero()) continue;
+      FractionTerms part = imaginary ? imaginary_part(*whole) : real_part(*whole);
+      if (part.empty()) continue;
       const std::string kind = block.modulation ? (imaginary ? "conservative_" : "dissipative_")
                                                 : (imaginary ? "harmonic_im_" : "harmonic_re_");
       const std::string name =
           kind + d.model->modes[block.mode].coordinate + "_" + powers_name(key, d.layout, *d.model);
-      for (const DetunedPart& detuned : without_detunings(d, part)) {
+      for (const DetunedPart& detuned : without_detunings(d, std::move(part), sums)) {
         const auto split = finder.split(detuned.coefficient, name + detuned.suffix);
         if (!split) return false;
         auto column = std::find_if(block.columns.begin(), block.columns.end(),
                                    [&](const LumpEquation::Column& c) { return c.lump == split->lump; });
         if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split->lump, {}});
-        column->terms.push_back({split->factor * detuned.detunings, imaginary, key});
+        column->terms.push_back({sums.product(split->factor, detuned.detunings), imaginary, key});
       }
     }
+  }
   return true;
 }
 
@@ -361,7 +395,7 @@ bool orient(Phase& phase, const Derivation& d) {
   return turn;
 }
 
-LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept) {
+LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept, FractionSums& sums) {
   const Model& model = *nominal.model;
   const auto frequencies = observed_frequencies(nominal);
   if (!frequencies)
@@ -370,12 +404,12 @@ LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept) 
                      "its relations are incommensurate: estimation needs one steady state per excitation");
   LumpEquations result;
   result.frequencies = *frequencies;
-  LumpFinder finder(model);
+  LumpFinder finder(model, sums);
   for (std::size_t k = 0; k < nominal.layout.modes; ++k) {
     if (nominal.resonance->mode_at_rest[k]) continue;
     LumpEquation block;
     block.mode = k;
-    if (!append_terms(block, finder, nominal, terms_of(nominal.modulation(k))))
+    if (!append_terms(block, finder, nominal, sums, terms_of(nominal.modulation(k))))
       throw InputError(model.file, "case " + nominal.resonance->name,
                        "a lump depends on an excitation frequency that no relation fixes",
                        "relate the excitation frequency to a natural one");
@@ -394,13 +428,14 @@ LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept) 
       const std::size_t lumps_before = finder.size();
       if (same != kept_blocks.end()) {
         LumpEquation attempt = *same;
-        if (append_terms(attempt, finder, kept, kept_terms[static_cast<std::size_t>(same - kept_blocks.begin())])) {
+        if (append_terms(attempt, finder, kept, sums,
+                         kept_terms[static_cast<std::size_t>(same - kept_blocks.begin())])) {
           result.blocks.push_back(std::move(attempt));
           continue;
         }
         finder.forget_after(lumps_before);
       }
-      if (append_terms(nominal_blocks[b], finder, nominal, nominal_terms[b]))
+      if (append_terms(nominal_blocks[b], finder, nominal, sums, nominal_terms[b]))
         result.blocks.push_back(std::move(nominal_blocks[b]));
     }
   }

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace secular {
@@ -89,7 +89,7 @@ class RandomPoint {
 
  private:
   DrawOfSymbol draw_;
-  std::map<GiNaC::ex, PrimeFieldComplex, GiNaC::ex_is_less> known_;
+  std::unordered_map<GiNaC::ex, PrimeFieldComplex> known_;
 };
 
 /// The same for a single expression.

@@ -16,6 +16,13 @@ const GiNaC::ex& SymbolTable::add_positive(const std::string& name) {
   return position->second;
 }
 
+GiNaC::exvector SymbolTable::with_pi() const {
+  GiNaC::exvector symbols;
+  for (const std::string& name : names_) symbols.push_back(symbols_.at(name));
+  symbols.push_back(GiNaC::Pi);
+  return symbols;
+}
+
 GiNaC::numeric exact_number(const std::string& digits) {
   std::string mantissa;
   long exponent = 0;

@@ -20,6 +20,8 @@ class SymbolTable {
   const GiNaC::ex& at(const std::string& name) const { return symbols_.at(name); }
   /// In order of declaration: the order of everything that is printed.
   const std::vector<std::string>& names() const { return names_; }
+  /// All symbols in that order, then Pi: what expressions of a model are rational in.
+  GiNaC::exvector with_pi() const;
 
  private:
   // As ex: a copy as GiNaC::symbol would forget that the symbol is real.

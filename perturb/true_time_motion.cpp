@@ -78,7 +78,6 @@ template <class Arithmetic>
 auto TrueTimeMotion<Arithmetic>::coefficient(const GiNaC::ex& e) const -> Series {
   const auto number = [&](const Number& value) { return eps_power(value, 0, size_); };
   if (GiNaC::is_exactly_a<GiNaC::numeric>(e)) return number(arithmetic_.number(GiNaC::ex_to<GiNaC::numeric>(e)));
-  if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
   if (GiNaC::is_exactly_a<GiNaC::constant>(e)) return number(arithmetic_.pi());
   if (GiNaC::is_exactly_a<GiNaC::add>(e)) {
     Series sum(size_);
@@ -88,11 +87,19 @@ auto TrueTimeMotion<Arithmetic>::coefficient(const GiNaC::ex& e) const -> Series
     }
     return sum;
   }
-  Series whole = number(1);
   if (GiNaC::is_exactly_a<GiNaC::mul>(e)) {
+    Series whole = number(1);
     for (std::size_t i = 0; i < e.nops(); ++i) whole = product(whole, coefficient(e.op(i)));
     return whole;
   }
+  const auto known = computed_.find(e);
+  return known != computed_.end() ? known->second : computed_.emplace(e, computed(e)).first->second;
+}
+
+template <class Arithmetic>
+auto TrueTimeMotion<Arithmetic>::computed(const GiNaC::ex& e) const -> Series {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) return symbol(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
+  Series whole = eps_power(Number(1), 0, size_);
   const int exponent = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
   Series base = coefficient(e.op(0));
   if (exponent < 0) base = reciprocal(base, Arithmetic::inverse);

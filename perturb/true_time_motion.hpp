@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "perturb/derivation.hpp"
@@ -43,6 +44,7 @@ class TrueTimeMotion {
   Series coefficient(const GiNaC::ex& e) const;
 
  private:
+  Series computed(const GiNaC::ex& symbol_or_power) const;
   Polynomial in_true_time(const Derivation& d, const FieldSeries& fields, bool coordinate) const;
 
   const Model* model_;
@@ -51,7 +53,8 @@ class TrueTimeMotion {
   TrueTimeVariables variables_;
   std::vector<Series> frequency_;
   std::vector<Polynomial> amplitude_rate_, conjugate_rate_;
-  std::vector<std::array<Polynomial, 3>> motion_;  // [mode][derivative]
+  std::vector<std::array<Polynomial, 3>> motion_;           // [mode][derivative]
+  mutable std::unordered_map<GiNaC::ex, Series> computed_;  // symbols and denominators, as far as they were met
 };
 
 }  // namespace secular

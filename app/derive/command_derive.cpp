@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
+#include "app/shared/progress_line.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "codegen/document/print_html.hpp"
 #include "codegen/document/print_json.hpp"
@@ -62,8 +64,10 @@ void add_derive_command(CLI::App* command, Action& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       options->output.check({{"the model", options->model, false}});
-      const CanonicalModel model = canonical_model(
-          augmented(read_model(resolve_model(options->model)), options->effects), options->resonance);
+      ProgressLine progress("steps");
+      const CanonicalModel model =
+          canonical_model(augmented(read_model(resolve_model(options->model)), options->effects),
+                          options->resonance, CanonicalContent::all, std::ref(progress));
       const std::string text = derivation(model, options->json ? "json" : options->format);
       options->output.write(text);
       bool certified = true;

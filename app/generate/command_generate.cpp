@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "app/shared/commands.hpp"
 #include "app/shared/output_target.hpp"
+#include "app/shared/progress_line.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "codegen/cpp/emit_cpp.hpp"
 #include "input/input_error.hpp"
@@ -37,7 +39,9 @@ void add_generate_command(CLI::App* command, Action& chosen) {
       std::vector<std::string> names;
       for (const std::string& name : options->models) {
         const std::string path = resolve_model(name).string();
-        const CanonicalModel model = canonical_model(read_model(path));
+        ProgressLine progress("steps of " + name);
+        const CanonicalModel model =
+            canonical_model(read_model(path), {}, CanonicalContent::all, std::ref(progress));
         for (const std::string& other : names)
           if (other == model.name) throw InputError(path, "", "a second model named " + model.name, "names differ");
         if (model.name == registry_name)

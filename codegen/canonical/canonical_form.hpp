@@ -2,36 +2,52 @@
 
 #include <ginac/ginac.h>
 
-#include <cstddef>
-#include <functional>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "codegen/canonical/rational_function.hpp"
+#include "perturb/factored_fraction.hpp"
 #include "perturb/symbol_table.hpp"
 
 namespace secular {
 
-/// The canonical form of a real rational expression in `order`'s symbols ("pi" stands for GiNaC's Pi). This and
-/// canonical_model.cpp are the only places where an expression leaves GiNaC. Throws std::logic_error for anything
-/// that is not a real rational function of these symbols.
+std::string decimal_digits(const cln::cl_I& integer);
+
+/// The canonical form of rational expressions in `order`'s symbols, which are real ("pi" stands for GiNaC's Pi).
+/// This and canonical_model.cpp are the only places where an expression leaves GiNaC. Remembers divisors and
+/// denominators: one form serves a whole model. Throws std::logic_error for anything that is not rational in these
+/// symbols.
 class CanonicalForm {
  public:
   CanonicalForm(const SymbolTable& symbols, const SymbolOrder& order);
+
+  /// Throws std::logic_error for an expression that is not real.
   RationalFunction of(const GiNaC::ex& expression) const;
+  /// The summands of an expression, and a fraction, both of `sums`.
+  FractionTerms terms(const GiNaC::ex& expression) const;
+  RationalFunction of(const FactoredFraction& fraction) const;
+  struct Parts {
+    RationalFunction real, imaginary;
+  };
+  Parts parts(const GiNaC::ex& expression) const;
+  /// With the same symbols in the same order.
+  FractionSums& sums() const { return sums_; }
+  /// Guards what a whole model may have when it is multiplied out, all formulas together: more than that, of some
+  /// 300 bytes each, fills the memory, and nobody reads it. Beyond it PolynomialTooLarge is thrown.
+  static constexpr std::size_t most_terms = 3'000'000;
+  /// Terms of polynomials that were made so far: a measure of the work that does not depend on the machine.
+  std::size_t work() const { return sums_.work(); }
 
  private:
-  using Terms = std::map<std::vector<int>, GiNaC::numeric, std::greater<>>;  ///< coefficients by exponents
-  template <class Taken>
-  GiNaC::ex split(const GiNaC::ex& product, std::vector<int>& exponents, const Taken& taken) const;
-  void add_terms(const GiNaC::ex& expanded, const std::vector<int>& common, Terms& terms) const;
-  void mark_denominators(const GiNaC::ex& expression, std::vector<bool>& marked) const;
-  using Groups = std::map<std::vector<int>, GiNaC::exvector>;
-  bool add_factored(const Groups& groups, Terms& above, Terms& below) const;
-  void lowest_terms(const GiNaC::ex& expanded, Terms& above, Terms& below) const;
+  const std::vector<PolynomialTerm>& denominator(const std::vector<int>& powers,
+                                                 const DivisorPowers& divisors) const;
 
-  std::map<GiNaC::ex, std::size_t, GiNaC::ex_is_less> place_;  ///< of a symbol in the order
-  GiNaC::symbol pi_{"pi"};
+  std::size_t size_;
+  mutable FractionSums sums_;
+  mutable std::size_t terms_ = 0;  // of all results together
+  mutable std::map<std::pair<std::vector<int>, DivisorPowers>, std::vector<PolynomialTerm>> denominators_;
 };
 
 }  // namespace secular

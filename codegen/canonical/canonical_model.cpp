@@ -44,27 +44,31 @@ CanonicalPowers powers_of(const FieldKey& key, const Derivation& d) {
   return powers;
 }
 
-// Sums by order and powers, then canonical real and imaginary parts; zeros left out.
+// Sums by order and powers.
 class TermList {
  public:
-  explicit TermList(const CanonicalForm& form) : form_(form) {}
   void add(int order, CanonicalPowers powers, const GiNaC::ex& coefficient) {
     sums_[{order, std::move(powers)}] += coefficient;
   }
-  std::vector<CanonicalTerm> terms() const {
-    std::vector<CanonicalTerm> result;
-    for (const auto& [key, coefficient] : sums_) {
-      CanonicalTerm term{key.second, key.first, form_.of(coefficient.real_part()),
-                         form_.of(coefficient.imag_part())};
-      if (!term.real.is_zero() || !term.imaginary.is_zero()) result.push_back(std::move(term));
-    }
+  std::vector<UnreducedTerm> terms() const {
+    std::vector<UnreducedTerm> result;
+    for (const auto& [key, coefficient] : sums_) result.push_back({key.second, key.first, coefficient});
     return result;
   }
 
  private:
-  const CanonicalForm& form_;
   std::map<std::pair<int, CanonicalPowers>, GiNaC::ex> sums_;
 };
+
+std::vector<CanonicalTerm> canonical_terms(const std::vector<UnreducedTerm>& terms, const CanonicalForm& form) {
+  std::vector<CanonicalTerm> result;
+  for (const UnreducedTerm& term : terms) {
+    CanonicalForm::Parts parts = form.parts(term.coefficient);
+    if (!parts.real.is_zero() || !parts.imaginary.is_zero())
+      result.push_back({term.powers, term.order, std::move(parts.real), std::move(parts.imaginary)});
+  }
+  return result;
+}
 
 std::string phase_name(const std::vector<int>& phase, const Model& model) {
   std::string name;
@@ -132,11 +136,16 @@ std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum&
   return terms;
 }
 
+// How often canonical_case() tells that a step is done.
+constexpr std::size_t steps_of_case = 5;
+
 CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance, const CanonicalForm& form,
-                             const SymbolOrder& order, const std::map<std::string, Dimension>& dimensions,
-                             CanonicalContent content) {
+                             const std::map<std::string, Dimension>& dimensions, CanonicalContent content,
+                             const std::function<void()>& step_done) {
   const Derivation nominal = derive(model, resonance, OmegaPolicy::nominal);
+  step_done();
   const Derivation kept = derive(model, resonance, OmegaPolicy::kept);
+  step_done();
   CanonicalCase result;
   result.name = resonance.name;
   result.expand_to = resonance.expand_to;
@@ -149,14 +158,16 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
         {multiples, relation.detuning, relation.order, ratio(relation.coefficient), relation.text});
   }
   for (std::size_t k = 0; k < model.modes.size(); ++k) {
-    result.slow_derivative.push_back(canonical_modulation(nominal, k, order));
+    result.slow_derivative.push_back(canonical_terms(modulation_terms(nominal, k), form));
     result.harmonics.emplace_back();
-    if (content == CanonicalContent::all) result.harmonics.back() = canonical_harmonics(nominal, k, order);
+    if (content == CanonicalContent::all)
+      result.harmonics.back() = canonical_terms(harmonic_terms(nominal, k), form);
   }
+  step_done();
   for (const QuadratureTerm& quadrature : nominal.quadratures) {
-    const GiNaC::ex scale = nominal.quadrature_rate(quadrature);
+    CanonicalForm::Parts rate = form.parts(nominal.quadrature_rate(quadrature));
     CanonicalQuadrature flat{
-        quadrature.mode, quadrature.order, form.of(scale.real_part()), form.of(scale.imag_part()), {}};
+        quadrature.mode, quadrature.order, std::move(rate.real), std::move(rate.imaginary), {}};
     for (const auto& [factor, power] : quadrature.factors) flat.factors.push_back(canonical_factor(factor, power));
     result.quadratures.push_back(std::move(flat));
   }
@@ -168,8 +179,12 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
                         std::max(certificate.nonsmooth_error, smallest_nonsmooth_error),
                         certificate.remainders};
   result.warnings = nominal.warnings;
-  if (!observed_frequencies(nominal)) return result;
-  const LumpEquations seen = lump_equations(nominal, kept);
+  step_done();
+  if (!observed_frequencies(nominal)) {
+    step_done();
+    return result;
+  }
+  const LumpEquations seen = lump_equations(nominal, kept, form.sums());
   for (const auto& row : seen.frequencies.of_mode) {
     std::vector<CanonicalRatio> ratios;
     for (const GiNaC::numeric& multiple : row) ratios.push_back(ratio(multiple));
@@ -197,6 +212,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
               [](const auto& a, const auto& b) { return a.lump < b.lump; });
     result.blocks.push_back(std::move(flat));
   }
+  step_done();
   return result;
 }
 
@@ -311,20 +327,16 @@ SymbolOrder symbol_order(const Model& model) {
   return order;
 }
 
-std::vector<CanonicalTerm> canonical_modulation(const Derivation& derivation, std::size_t mode,
-                                                const SymbolOrder& order) {
-  const CanonicalForm form(derivation.model->symbols, order);
-  TermList list(form);
+std::vector<UnreducedTerm> modulation_terms(const Derivation& derivation, std::size_t mode) {
+  TermList list;
   for (std::size_t n = 0; n < derivation.slow_derivative[mode].size(); ++n)
     for (const auto& [key, coefficient] : derivation.slow_derivative[mode][n].terms())
       list.add(static_cast<int>(n), powers_of(key, derivation), coefficient);
   return list.terms();
 }
 
-std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std::size_t mode,
-                                               const SymbolOrder& order) {
-  const CanonicalForm form(derivation.model->symbols, order);
-  TermList list(form);
+std::vector<UnreducedTerm> harmonic_terms(const Derivation& derivation, std::size_t mode) {
+  TermList list;
   for (std::size_t n = 0; n < derivation.response[mode].size(); ++n)
     for (const auto& [key, coefficient] : derivation.response[mode][n].terms()) {
       CanonicalPowers powers = powers_of(key, derivation);
@@ -339,7 +351,18 @@ std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std
   return list.terms();
 }
 
-CanonicalModel canonical_model(const Model& model, const std::string& only_case, CanonicalContent content) {
+std::vector<CanonicalTerm> canonical_modulation(const Derivation& derivation, std::size_t mode,
+                                                const SymbolOrder& order) {
+  return canonical_terms(modulation_terms(derivation, mode), CanonicalForm(derivation.model->symbols, order));
+}
+
+std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std::size_t mode,
+                                               const SymbolOrder& order) {
+  return canonical_terms(harmonic_terms(derivation, mode), CanonicalForm(derivation.model->symbols, order));
+}
+
+CanonicalModel canonical_model(const Model& model, const std::string& only_case, CanonicalContent content,
+                               const CanonicalProgress& progress) {
   if (!only_case.empty()) model.find_case(only_case);
   CanonicalModel result;
   result.name = model.name;
@@ -368,9 +391,20 @@ CanonicalModel canonical_model(const Model& model, const std::string& only_case,
   }
   for (std::size_t k = 0; k < equations.size(); ++k)
     result.motion.push_back(motion_terms(model, equations[k], form, k));
+  std::size_t done = 0;
+  const std::size_t steps = steps_of_case * (only_case.empty() ? model.cases.size() : 1);
+  const auto step_done = [&] {
+    if (progress) progress(++done, steps);
+  };
   for (const ResonanceCase& resonance : model.cases)
-    if (only_case.empty() || resonance.name == only_case)
-      result.cases.push_back(canonical_case(model, resonance, form, result.order, dimensions, content));
+    if (only_case.empty() || resonance.name == only_case) try {
+        result.cases.push_back(canonical_case(model, resonance, form, dimensions, content, step_done));
+      } catch (const PolynomialTooLarge& error) {
+        throw InputError(
+            model.file, resonance.place(), fmt::format("has {} when its expansion is multiplied out", error.what()),
+            "lower expand_to or leave out modes, terms or cases; `secular evaluate` gives its numbers as "
+            "it is");
+      }
   result.fingerprint = fingerprint(result);
   return result;
 }

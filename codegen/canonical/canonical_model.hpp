@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -143,11 +144,21 @@ struct CanonicalModel {
 enum class CanonicalContent { all, code };
 
 /// Derives, certifies and flattens. `only_case` empty: all cases. Throws InputError from the derivation; a
-/// certificate that does not hold is recorded, not thrown.
+/// certificate that does not hold is recorded, not thrown. `progress` is told what is done of how many steps.
+using CanonicalProgress = std::function<void(std::size_t done, std::size_t total)>;
 CanonicalModel canonical_model(const Model& model, const std::string& only_case = {},
-                               CanonicalContent content = CanonicalContent::all);
+                               CanonicalContent content = CanonicalContent::all,
+                               const CanonicalProgress& progress = {});
 
-/// Harmonic and modulation terms of one derivation in listing order.
+/// Harmonic and modulation terms of one derivation in listing order, with their coefficients as they stand.
+struct UnreducedTerm {
+  CanonicalPowers powers;
+  int order = 0;
+  GiNaC::ex coefficient;
+};
+std::vector<UnreducedTerm> modulation_terms(const Derivation& derivation, std::size_t mode);
+std::vector<UnreducedTerm> harmonic_terms(const Derivation& derivation, std::size_t mode);
+/// The same with coefficients in canonical form; terms that are identically zero are left out.
 std::vector<CanonicalTerm> canonical_modulation(const Derivation& derivation, std::size_t mode,
                                                 const SymbolOrder& order);
 std::vector<CanonicalTerm> canonical_harmonics(const Derivation& derivation, std::size_t mode,

@@ -27,8 +27,9 @@ LumpEquations of_subharmonic(const std::string& nominal) {
                                          "= 1, e = 0 }\nexpand_to = 1\n" +
                                              nominal),
                       "model.toml");
-  return lump_equations(derive(model, model.find_case("c")),
-                        derive(model, model.find_case("c"), OmegaPolicy::kept));
+  FractionSums sums(model.symbols.with_pi());
+  return lump_equations(derive(model, model.find_case("c")), derive(model, model.find_case("c"), OmegaPolicy::kept),
+                        sums);
 }
 
 TEST(ObservedLines, AConjugateIsNoLineOfItsOwn) {
