@@ -36,8 +36,9 @@ std::string quoted_list(const std::vector<std::string>& names) {
 }  // namespace
 
 std::string campaign_text(const Campaign& campaign) {
-  std::string text = "schema = 1\nname = " + quoted(campaign.name) +
-                     "\nsample_rate_hz = " + toml_number(campaign.sample_rate_hz) + "\n";
+  std::string text =
+      "schema = 1\nname = " + quoted(campaign.name) + "\n" +
+      (campaign.sample_rate_hz > 0 ? "sample_rate_hz = " + toml_number(campaign.sample_rate_hz) + "\n" : "");
   for (const Channel& channel : campaign.channels)
     text += "\n[[channel]]\nname = " + quoted(channel.name) + "\nrole = " + quoted(to_string(channel.role)) +
             "\nquantity = " + quoted(to_string(channel.quantity)) + "\nunit = " + quoted(channel.unit) + "\n" +

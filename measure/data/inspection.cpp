@@ -116,6 +116,10 @@ MissingCells without_ends(MissingCells cells, const std::vector<Unrecorded>& end
 RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std::size_t limit,
                                 const TimeSpan& span, const RecordLook& look) {
   RecordInspection inspection;
+  if (campaign.records[index].row) {
+    inspection.samples = inspection.judged = 1;
+    return inspection;
+  }
   try {
     RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
     CutEnds cut = data.partial ? CutEnds{} : cut_unrecorded(campaign, data.stamps_s, data.channels);

@@ -18,15 +18,12 @@ inline constexpr std::pair<std::string_view, Quantity> quantity_names[] = {{"acc
                                                                            {"angle", Quantity::angle}};
 
 inline constexpr std::pair<std::string_view, RecordKind> record_kind_names[] = {
-    {"dwell", RecordKind::dwell},
-    {"sweep", RecordKind::sweep},
-    {"free_decay", RecordKind::free_decay},
-    {"impact", RecordKind::impact},
-    {"broadband", RecordKind::broadband}};
+    {"dwell", RecordKind::dwell},   {"sweep", RecordKind::sweep},         {"free_decay", RecordKind::free_decay},
+    {"impact", RecordKind::impact}, {"broadband", RecordKind::broadband}, {"lines", RecordKind::lines}};
 
 inline constexpr std::string_view quantity_list =
     "acceleration, velocity, displacement, force, voltage, strain or angle";
-inline constexpr std::string_view record_kind_list = "dwell, sweep, free_decay, impact or broadband";
+inline constexpr std::string_view record_kind_list = "dwell, sweep, free_decay, impact, broadband or lines";
 
 /// What keeps a name from being a channel's (and thereby a CSV column's), or empty.
 std::string channel_name_fault(std::string_view name);
