@@ -1,5 +1,7 @@
 #include "measure/data/campaign_text.hpp"
 
+#include <utility>
+
 #include "measure/data/number_table.hpp"
 
 namespace secular {
@@ -54,7 +56,15 @@ std::string campaign_text(const Campaign& campaign) {
     }
     text += "]\n";
   }
+  std::string table;
   for (const RecordEntry& entry : campaign.records) {
+    if (entry.row) {  // all rows of a table are one [[record]]
+      if (entry.row->table == std::exchange(table, entry.row->table)) continue;
+      text +=
+          "\n[[record]]\nfile = " + quoted(entry.row->table) + "\nkind = " + quoted(to_string(entry.kind)) + "\n";
+      if (!entry.group.empty()) text += "group = " + quoted(entry.group) + "\n";
+      continue;
+    }
     text += "\n[[record]]\nfile = " + quoted(entry.file) + "\nkind = " + quoted(to_string(entry.kind)) + "\n";
     const auto add = [&](const char* key, const std::optional<double>& value) {
       if (value) text += std::string(key) + " = " + toml_number(*value) + "\n";

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
 #include "measure/data/import_tables.hpp"
 #include "tests/campaign/temporary_folder.hpp"
@@ -72,6 +73,7 @@ TEST_F(LineTables, AreRecordsRowByRow) {
   expect_near(tip(campaign, 1), std::polar(0.75, -3.0));
   EXPECT_TRUE(campaign.records[0].row->level_is_set);
   EXPECT_TRUE(contains(warnings_, "standard deviation of tip:"));
+  EXPECT_EQ(campaign_text(campaign), read("c/campaign.toml"));
 }
 
 TEST_F(LineTables, MeanTheSameInEveryConvention) {
