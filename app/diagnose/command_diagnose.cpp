@@ -40,7 +40,7 @@ void print_next_experiment(const DiagnosisRun& run) {
   }
   const ProposedTest& test = *next.test;
   const RecordEntry& like = run.campaign.records[test.like];
-  if (like.kind == RecordKind::dwell)
+  if (is_steady(like.kind))
     fmt::print(
         "next experiment: a dwell at {:.5g} Hz, {:.3g} times the excitation of {}{} ({}): {:.2g} minutes once "
         "settled\n",

@@ -32,7 +32,7 @@ Json next_experiment(const DiagnosisRun& run) {
                {"expected_probability_of_a_random_one", test.typical},
                {"chance_to_leave_one", test.chance},
                {"compared", test.compared}});
-  if (like.kind == RecordKind::dwell)
+  if (is_steady(like.kind))
     json.update({{"resonance", test.resonance},
                  {"excitation_channel", test.channel},
                  {"excitation_peak", test.excitation},

@@ -315,7 +315,7 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
   table.columns = {{"", Column::Kind::text, ""}, {"", Column::Kind::text, ""}};
   const std::string minutes = report::format_number(test.minutes, 2) + " minutes",
                     level = report::format_number(test.level, 2) + " times that of " + like.file;
-  if (like.kind == RecordKind::dwell)
+  if (is_steady(like.kind))
     table.rows = {{"Dwell", test.resonance},
                   {"Frequency", report::format_number(test.frequency * to_hz, 5) + " Hz"},
                   {"Peak of " + test.channel, report::format_number(test.excitation, 4) + ", " + level},

@@ -114,7 +114,7 @@ std::optional<std::string> lost_records(const Identification& id, const Window& 
   for (std::size_t r = 0; r < id.campaign.records.size(); ++r) {
     const RecordEntry& entry = id.campaign.records[r];
     const bool read =
-        entry.kind == RecordKind::dwell || entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
+        is_steady(entry.kind) || entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
     if (read && window.takes(r, entry.file)) given.insert(r);
   }
   for (const ObservationSet& set : id.measured)

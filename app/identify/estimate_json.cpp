@@ -60,6 +60,18 @@ Json value_json(const EstimatedValue& value, bool lump, const Estimate& estimate
   return entry;
 }
 
+void add_unstated_noise(Json& result, const std::vector<UnstatedNoise>& all) {
+  if (all.empty()) return;
+  Json& list = result["unstated_noise"] = Json::array();
+  for (const UnstatedNoise& noise : all)
+    list.push_back({{"case", noise.resonance},
+                    {"mode", noise.mode},
+                    {"sd", noise.sd},
+                    {"degrees_of_freedom", noise.degrees_of_freedom},
+                    {"rows", noise.rows},
+                    {"from", "what the model leaves"}});
+}
+
 Json lack_of_fit_json(const LackOfFit& test, const CaseLackOfFit& tests) {
   Json entry;
   entry["case"] = tests.resonance;
@@ -244,6 +256,7 @@ std::string estimate_json(const Identification& identification) {
                                      {"unit", identification.coordinate_unit}});
   }
   quality["warnings"] = identification.estimate.warnings;
+  add_unstated_noise(result, identification.estimate.unstated_noise);
   result["quality"] = std::move(quality);
   result["disturbances"] = disturbances_json(identification.disturbances, identification.campaign);
   for (const CaseLateness& lateness : identification.lateness)

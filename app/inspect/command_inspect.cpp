@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/inspect/table_summary.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/disturbance_output.hpp"
 #include "app/shared/json_numbers.hpp"
@@ -97,12 +98,26 @@ void print_channels(const Campaign& campaign) {
                fmt::join(campaign.modal_basis->channels, ", "));
 }
 
+void print_tables(const Campaign& campaign) {
+  const std::vector<TableSummary> tables = tables_of(campaign);
+  if (tables.empty()) return;
+  std::vector<std::vector<std::string>> rows = {
+      {"file", "lines", "without sd", "rows", "repeats", "from (Hz)", "to (Hz)", "level from", "to"}};
+  for (const TableSummary& table : tables)
+    rows.push_back({table.file, fmt::format("{}", fmt::join(table.lines, " ")),
+                    table.without_sd.empty() ? "-" : fmt::format("{}", fmt::join(table.without_sd, " ")),
+                    std::to_string(table.rows), std::to_string(table.repeats), number(table.lowest_hz),
+                    number(table.highest_hz), number(table.lowest_level), number(table.highest_level)});
+  fmt::print("\n{} of lines\n{}", count(tables.size(), "table"), aligned(rows, 3));
+}
+
 void print_records(const Campaign& campaign, const std::vector<RecordInspection>& records) {
   std::vector<std::vector<std::string>> rows = {
       {"file", "kind", "group", "samples", "start (s)", "duration (s)", "frequency (Hz)", "amplitude"}};
   double total = 0;
   for (std::size_t r = 0; r < records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
+    if (entry.row) continue;
     const std::optional<TimeAxis>& axis = records[r].axis;
     if (axis) total += duration_s(*axis, records[r].samples);
     const auto given = [](const std::optional<double>& value) { return value ? number(*value) : "-"; };
@@ -111,7 +126,8 @@ void print_records(const Campaign& campaign, const std::vector<RecordInspection>
                     axis ? number(axis->start_s) : "-", axis ? number(duration_s(*axis, records[r].samples)) : "-",
                     given(entry.excitation_frequency_hz), given(entry.excitation_amplitude)});
   }
-  fmt::print("\n{}, {:.6g} s in all\n{}", count(records.size(), "record"), total, aligned(rows, 3));
+  if (rows.size() > 1)
+    fmt::print("\n{}, {:.6g} s in all\n{}", count(rows.size() - 1, "record"), total, aligned(rows, 3));
 }
 
 void print_levels(const Campaign& campaign, const std::vector<RecordInspection>& records) {
@@ -145,7 +161,7 @@ InspectedCampaign inspected(const std::filesystem::path& folder, const Window& w
   InspectedCampaign result{read_campaign(folder), {}, {}};
   require_match(result.campaign, window);
   std::erase_if(result.campaign.records,
-                [&](const RecordEntry& entry) { return !matches_pattern(window.records, entry.file); });
+                [&](const RecordEntry& entry) { return !matches_record(window.records, entry.file); });
   result.records = inspect_records(result.campaign, limit, disturbances_into(result.disturbances, result.campaign));
   const bool none = std::none_of(result.records.begin(), result.records.end(),
                                  [](const RecordInspection& record) { return record.judged > 0 || !record.axis; });
@@ -157,8 +173,10 @@ InspectedCampaign inspected(const std::filesystem::path& folder, const Window& w
 
 void print_campaign(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
   const auto [campaign, records, disturbances] = inspected(folder, window, limit);
-  fmt::print("campaign '{}' in {}\nsample rate {} Hz\n", campaign.name, folder.string(), campaign.sample_rate_hz);
+  fmt::print("campaign '{}' in {}\n", campaign.name, folder.string());
+  if (campaign.sample_rate_hz > 0) fmt::print("sample rate {} Hz\n", campaign.sample_rate_hz);
   print_channels(campaign);
+  print_tables(campaign);
   print_records(campaign, records);
   print_levels(campaign, records);
   const auto partly = std::count_if(records.begin(), records.end(),
@@ -173,6 +191,8 @@ void print_campaign(const std::filesystem::path& folder, const Window& window, c
         faults.push_back(fmt::format("{}, {}: {}: {}", campaign.records[r].file, campaign.channels[c].name,
                                      fault.kind, fault.text));
   }
+  for (const TableSummary& table : tables_of(campaign))
+    for (const std::string& fault : table.faults) faults.push_back(table.file + ": " + fault);
   print_faults(faults);
   print_disturbances(disturbances, campaign, records.size());
 }
@@ -232,6 +252,10 @@ void print_file(const std::filesystem::path& path, const InspectionLimit& limit)
                                   [&, &file = file](const VariableInspection& variable) {
                                     return variable.name != file.time && !variable.unit.empty();
                                   });
+  if (const std::string table = table_import(path, file); !table.empty()) {
+    fmt::print("\nTo use it as a table of lines: {}\n", table);
+    if (file.time.empty()) return;
+  }
   const bool plain = file.time.find_first_of(" ()[]{}") == std::string::npos;
   const char* const rest = stated ? "" : file.format == "WAV" ? ":QUANTITY:UNIT:FACTOR" : ":QUANTITY:UNIT";
   fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path.string(),
@@ -268,7 +292,8 @@ void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t sam
 
 Json campaign_json(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
   const auto [campaign, records, disturbances] = inspected(folder, window, limit);
-  Json root = {{"campaign", folder.string()}, {"name", campaign.name}, {"sample_rate_hz", campaign.sample_rate_hz}};
+  Json root = {{"campaign", folder.string()}, {"name", campaign.name}};
+  if (campaign.sample_rate_hz > 0) root["sample_rate_hz"] = campaign.sample_rate_hz;
   root["channels"] = Json::array();
   for (const Channel& channel : campaign.channels)
     root["channels"].push_back({{"name", channel.name},
@@ -280,10 +305,27 @@ Json campaign_json(const std::filesystem::path& folder, const Window& window, co
     root["modal_basis"] = {{"channels", campaign.modal_basis->channels},
                            {"modes", campaign.modal_basis->modes},
                            {"mass_normalised_shapes", campaign.modal_basis->mass_normalised_shapes}};
-  root["records"] = Json::array();
   std::size_t faults = 0;
+  if (const std::vector<TableSummary> tables = tables_of(campaign); !tables.empty()) {
+    root["tables"] = Json::array();
+    for (const TableSummary& table : tables) {
+      root["tables"].push_back({{"file", table.file},
+                                {"rows", table.rows},
+                                {"lowest_hz", table.lowest_hz},
+                                {"highest_hz", table.highest_hz},
+                                {"lowest_level", table.lowest_level},
+                                {"highest_level", table.highest_level},
+                                {"lines", table.lines},
+                                {"without_sd", table.without_sd},
+                                {"repeated_rows", table.repeats},
+                                {"faults", table.faults}});
+      faults += table.faults.size();
+    }
+  }
+  root["records"] = Json::array();
   for (std::size_t r = 0; r < records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
+    if (entry.row) continue;
     Json record = {{"file", entry.file}, {"kind", to_string(entry.kind)}, {"samples", records[r].samples}};
     if (records[r].judged < records[r].samples) record["judged_samples"] = records[r].judged;
     if (records[r].estimated) record["samples_estimated"] = true;

@@ -59,6 +59,7 @@ Programme programme_in_use(const PlanRequest& request, const PlanResult& plan, c
                            std::vector<std::string>& warnings) {
   Programme programme;
   programme.name = request.against;
+  bool tables = false;
   if (plan.sensors) {
     for (const DwellProgramme& dwells : plan.sensors->dwells)
       for (const double amplitude : dwells.amplitudes)
@@ -67,6 +68,8 @@ Programme programme_in_use(const PlanRequest& request, const PlanResult& plan, c
   } else {
     const Campaign campaign = read_campaign(request.against);
     require_match(campaign, request.against_records);
+    tables = std::any_of(campaign.records.begin(), campaign.records.end(),
+                         [](const RecordEntry& entry) { return entry.row != nullptr; });
     double end = 0;
     for (std::size_t r = 0; r < campaign.records.size(); ++r) {
       const RecordEntry& entry = campaign.records[r];
@@ -82,7 +85,10 @@ Programme programme_in_use(const PlanRequest& request, const PlanResult& plan, c
     }
   }
   if (programme.dwells.empty())
-    throw InputError(request.against, "", "has no dwells with frequency and amplitude", "nothing to compare with");
+    throw InputError(request.against, "", "has no dwells with frequency and amplitude",
+                     tables
+                         ? "a table of lines does not say how long its dwells took: they cannot be weighed by time"
+                         : "nothing to compare with");
   find_responses(evaluation, programme);
   for (PlannedDwell& dwell : programme.dwells)
     if (dwell.settle_s < 0) dwell.settle_s = dwell.needed_s;  // a campaign that does not say when

@@ -92,7 +92,7 @@ void check_campaign_made(const std::string& output) {
   }
   std::set<fs::path> own = {"campaign.toml"};
   for (const RecordEntry& entry : campaign->records) {
-    fs::path file = fs::path(entry.file).lexically_normal();
+    fs::path file = fs::path((entry.row ? entry.row->table : entry.file)).lexically_normal();
     for (own.insert(file); file.has_parent_path(); own.insert(file)) file = file.parent_path();
   }
   std::error_code error;

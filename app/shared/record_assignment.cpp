@@ -119,7 +119,7 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign, co
       for (std::size_t c = 0; c < cases.size(); ++c)
         if (decays_to[c]) records[c][r] = true;
     }
-    if (entry.kind != RecordKind::dwell) continue;
+    if (!is_steady(entry.kind)) continue;
     dwells = true;
     // A case that was asked for takes every dwell, and one whose natural frequencies nothing determined.
     if (excited == 1 && (!chosen.empty() || !nominal_given(model))) {

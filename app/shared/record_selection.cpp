@@ -44,11 +44,17 @@ Band parse_band(const std::string& text) {
 // Throws unless some record has a sample in the window.
 void require_samples(const Campaign& campaign, const Window& window) {
   if (!window.cuts()) return;
+  const bool of_time = window.from_s != Window{}.from_s || window.to_s != Window{}.to_s;
   std::string longest;
   double most = -1;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
     if (!window.takes(r, entry.file)) continue;
+    if (entry.row) {  // has no time; lines outside of a band are left out where they are read
+      longest = fmt::format("{} is a row of a table of lines, which has no time", entry.file);
+      if (of_time) continue;
+      return;
+    }
     Record record = read_record(campaign, entry);
     const double end = record.start_s + (static_cast<double>(record.samples()) - 1) / record.sample_rate_hz;
     const std::string span = fmt::format("{} goes from {:.6g} s to {:.6g} s", entry.file, record.start_s, end);
@@ -58,10 +64,11 @@ void require_samples(const Campaign& campaign, const Window& window) {
     if (range_of(record, window).count > 0) return;
   }
   const std::string reach =
-      window.band ? fmt::format(", and the filter of --band reaches {:.4g} s into a record from both ends",
-                                static_cast<double>(band_pass_reach(*window.band, campaign.sample_rate_hz)) /
-                                    campaign.sample_rate_hz)
-                  : "";
+      window.band && campaign.sample_rate_hz > 0
+          ? fmt::format(", and the filter of --band reaches {:.4g} s into a record from both ends",
+                        static_cast<double>(band_pass_reach(*window.band, campaign.sample_rate_hz)) /
+                            campaign.sample_rate_hz)
+          : "";
   throw InputError(toml_of(campaign), "",
                    window.band ? "no record has a sample left by --from, --to and --band"
                                : "no record has a sample between --from and --to",
@@ -126,7 +133,7 @@ void SelectionOptions::require_any_record(const std::string& file) const {
 void require_match(const Campaign& campaign, const Window& window) {
   std::vector<std::string> files;
   for (const RecordEntry& entry : campaign.records) {
-    if (matches_pattern(window.records, entry.file)) return;
+    if (matches_record(window.records, entry.file)) return;
     files.push_back(entry.file);
   }
   throw InputError(toml_of(campaign), "", "no record matches --records " + window.records,
@@ -134,7 +141,7 @@ void require_match(const Campaign& campaign, const Window& window) {
 }
 
 void require_sampled(const Window& window, double sample_rate_hz) {
-  if (window.band && !(window.band->high_hz < 0.5 * sample_rate_hz))
+  if (window.band && sample_rate_hz > 0 && !(window.band->high_hz < 0.5 * sample_rate_hz))
     throw InputError(
         fmt::format("--band {:.6g}:{:.6g}", window.band->low_hz, window.band->high_hz), "",
         "ends above half the sample rate",

@@ -39,7 +39,7 @@ class SelectionOptions {
 /// Throws InputError where no record's file matches, with those that there are.
 void require_match(const Campaign& campaign, const Window& window);
 
-/// Throws InputError for a band that goes beyond half the sample rate.
+/// Throws InputError for a band that goes beyond half the sample rate (0: there is none).
 void require_sampled(const Window& window, double sample_rate_hz);
 
 /// Says of clipping among these that it was left out (SelectedRecords::leave_clipped_out).

@@ -62,7 +62,10 @@ Columns columns_of_campaign(const SpectrumArguments& options) {
   SelectedRecords reader(campaign, options.window);
   std::vector<std::size_t> chosen;
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
-    if (options.window.takes(r, campaign.records[r].file)) chosen.push_back(r);
+    if (options.window.takes(r, campaign.records[r].file) && !campaign.records[r].row) chosen.push_back(r);
+  if (chosen.empty())
+    throw InputError(options.source, "", "has tables of lines alone, which have no samples to analyse",
+                     "`secular identify` and `secular predict --measured` read tables");
   const std::string& file = campaign.records[chosen.front()].file;
   if (chosen.size() > 1)
     print_warning(

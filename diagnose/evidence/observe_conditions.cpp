@@ -1,11 +1,15 @@
 #include "diagnose/evidence/observe_conditions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "diagnose/evidence/campaign_clock.hpp"
+#include "diagnose/evidence/observe_rows.hpp"
 #include "diagnose/evidence/pooled_scatter.hpp"
 #include "numerics/median.hpp"
 
@@ -14,6 +18,10 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+
+/// Of rows that are repeats, in all, from which their scatter is read as noise (derived: four pairs know it to a
+/// third, 1/sqrt(2*4)).
+constexpr double fewest_degrees_of_repeats = 4;
 
 enum class LineKind { mean, resonant, other };
 constexpr LineKind line_kinds[] = {LineKind::mean, LineKind::resonant, LineKind::other};
@@ -28,7 +36,7 @@ class Repeatability {
         std::vector<LineScatter> lines;
         for (const Dwell& dwell : dwells)
           for (Index l = 0; l < scatter(dwell).cols(); ++l)
-            if (kind_of(dwell, l) == kind) lines.push_back(scatter_at(dwell, c, l));
+            if (kind_of(dwell, l) == kind && dwell.degrees_of_freedom > 0) lines.push_back(scatter_at(dwell, c, l));
         pooled_.try_emplace({c, kind}, std::move(lines));
       }
   }
@@ -77,14 +85,56 @@ class Repeatability {
 
 // Noise of a channel's samples: the median over all dwells, since the ones that saturate show less of it.
 Eigen::VectorXd typical_noise(const std::vector<Dwell>& dwells) {
-  if (dwells.empty()) return {};
-  Eigen::VectorXd noise(dwells.front().noise.size());
+  // Rows of tables tell no noise of samples.
+  const auto sampled =
+      std::find_if(dwells.begin(), dwells.end(), [](const Dwell& dwell) { return dwell.noise.size() > 0; });
+  if (sampled == dwells.end()) return {};
+  Eigen::VectorXd noise(sampled->noise.size());
   for (Index c = 0; c < noise.size(); ++c) {
     std::vector<double> of_dwells;
-    for (const Dwell& dwell : dwells) of_dwells.push_back(dwell.noise(c));
+    for (const Dwell& dwell : dwells)
+      if (dwell.noise.size() > 0) of_dwells.push_back(dwell.noise(c));
     noise(c) = upper_median(std::move(of_dwells));
   }
   return noise;
+}
+
+// Rows of tables: those that know their errors are conditions as they are, the others are dwells whose ensembles
+// they are, if any of them are repeats.
+void add_rows(const DwellContext& context, const RecordReader& read, std::vector<Dwell>& dwells,
+              ObservedConditions& observed) {
+  std::vector<Dwell> scattering;
+  double freedom = 0;
+  for (const std::vector<std::size_t>& condition : row_conditions(context.campaign, context.window)) {
+    std::vector<Record> records;
+    std::vector<IndexedRow> rows;
+    for (const std::size_t r : condition) records.push_back(read(r));
+    for (std::size_t i = 0; i < condition.size(); ++i) rows.emplace_back(condition[i], records[i].row.get());
+    std::optional<RowsDwell> found = observe_rows(context, rows, observed.warnings);
+    if (!found) continue;
+    Dwell& dwell = found->dwell;
+    if (!found->errors_known) {
+      freedom += dwell.degrees_of_freedom;
+      scattering.push_back(std::move(dwell));
+      continue;
+    }
+    const double root = std::sqrt(static_cast<double>(dwell.ensembles));
+    dwell.condition.response_sd = dwell.response_scatter / root;
+    dwell.condition.excitation_sd = dwell.excitation_scatter / root;
+    observed.conditions.push_back(std::move(dwell.condition));
+  }
+  if (scattering.empty()) return;
+  if (freedom < fewest_degrees_of_repeats) {
+    observed.warnings.push_back(
+        fmt::format("{} row{} of tables {} no standard deviations and have no repeats (rows with one label in a "
+                    "column condition) "
+                    "that tell them: what a model leaves cannot be compared with noise, left out. Add columns "
+                    "CHANNEL.sd of every "
+                    "channel, the excitation too",
+                    scattering.size(), scattering.size() == 1 ? "" : "s", scattering.size() == 1 ? "says" : "say"));
+    return;
+  }
+  std::move(scattering.begin(), scattering.end(), std::back_inserter(dwells));
 }
 
 }  // namespace
@@ -98,18 +148,23 @@ ObservedConditions observe_conditions(const DwellContext& context, const RecordR
     if (entry.kind != RecordKind::dwell || !context.window.takes(r, entry.file)) continue;
     if (auto dwell = observe_dwell(context, r, read(r), observed.warnings)) dwells.push_back(std::move(*dwell));
   }
+  add_rows(context, read, dwells, observed);
   const Repeatability responses(dwells, false), excitations(dwells, true);
   const Eigen::VectorXd noise = typical_noise(dwells);
   const auto channels = static_cast<Index>(context.sensors.responses.size());
   for (Dwell& dwell : dwells) {
-    dwell.condition.response_noise = noise.head(channels);
-    dwell.condition.excitation_noise = noise.tail(noise.size() - channels);
+    if (noise.size() > 0 && dwell.noise.size() > 0) {
+      dwell.condition.response_noise = noise.head(channels);
+      dwell.condition.excitation_noise = noise.tail(noise.size() - channels);
+    }
     dwell.condition.response_sd = responses.of(dwell);
     dwell.condition.excitation_sd = excitations.of(dwell);
     observed.nonstationarity.insert(observed.nonstationarity.end(), dwell.nonstationarity.begin(),
                                     dwell.nonstationarity.end());
     observed.conditions.push_back(std::move(dwell.condition));
   }
+  std::stable_sort(observed.conditions.begin(), observed.conditions.end(),
+                   [](const Condition& a, const Condition& b) { return a.record < b.record; });
   const std::vector<double> began = record_times(campaign);
   for (Condition& condition : observed.conditions) condition.time_s += began[condition.record];
   return observed;

@@ -289,8 +289,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
                                   std::vector<std::string>& warnings) {
   std::vector<std::size_t> records;
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
-    if (campaign.records[r].kind != RecordKind::dwell && cut.window.takes(r, campaign.records[r].file))
-      records.push_back(r);
+    if (!is_steady(campaign.records[r].kind) && cut.window.takes(r, campaign.records[r].file)) records.push_back(r);
   const std::vector<double> began = record_times(campaign);
   Cutter cutter(sensors, natural_frequency, cut, warnings);
   std::vector<Segment> segments;

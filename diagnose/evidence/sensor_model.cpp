@@ -37,8 +37,7 @@ SensorModel sensor_model(const Campaign& campaign, const CompiledModel& model, s
   sensors.excitations = channels_of(campaign, ChannelRole::excitation);
   sensors.excitations.resize(std::min(excitations, sensors.excitations.size()));
   const bool dwells = std::any_of(campaign.records.begin(), campaign.records.end(), [](const RecordEntry& entry) {
-    return entry.kind == RecordKind::dwell || entry.kind == RecordKind::sweep ||
-           entry.kind == RecordKind::broadband;
+    return is_steady(entry.kind) || entry.kind == RecordKind::sweep || entry.kind == RecordKind::broadband;
   });
   if (dwells && sensors.excitations.size() < excitations)
     throw InputError((campaign.folder / "campaign.toml").string(), "",

@@ -75,8 +75,8 @@ std::vector<Allowance> in_turn(std::vector<Allowance> allowances) {
 
 bool may_be_late(const CampaignAndModel& sides) {
   const std::vector<RecordEntry>& records = sides.campaign.records;
-  const bool dwells = std::any_of(records.begin(), records.end(),
-                                  [](const RecordEntry& record) { return record.kind == RecordKind::dwell; });
+  const bool dwells =
+      std::any_of(records.begin(), records.end(), [](const RecordEntry& record) { return is_steady(record.kind); });
   return !sides.model.excitations.empty() && excitation_count(sides.campaign) == 1 && dwells;
 }
 

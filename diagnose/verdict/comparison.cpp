@@ -40,6 +40,10 @@ class CountingReader {
 
   Record operator()(std::size_t index) {
     Record record = read_(index);
+    if (record.row) {
+      samples_[index] = 1;  // as its condition counts it
+      return record;
+    }
     const auto range = range_of(record, window_);
     samples_[index] = range.count;
     const double from = record.start_s + static_cast<double>(range.first) / record.sample_rate_hz;

@@ -46,7 +46,7 @@ WanderingZeros wandering_zeros(const std::vector<Disturbance>& found, const Camp
 ForeignTones foreign_tones(const std::vector<Disturbance>& found, const Campaign& campaign, const Window& window) {
   ForeignTones tones;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
-    if (campaign.records[r].kind == RecordKind::dwell) continue;
+    if (is_steady(campaign.records[r].kind)) continue;
     std::vector<const Disturbance*> kept;
     for (const bool own : {true, false})
       for (const Disturbance& d : found) {
@@ -122,7 +122,7 @@ void allow_for(const ForeignContent& content, const Campaign& campaign, Diagnosi
   options.coloured = content.coloured;
   // A mode that rings in one record does so in the others, seen there or not.
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
-    if (campaign.records[r].kind == RecordKind::dwell) continue;
+    if (is_steady(campaign.records[r].kind)) continue;
     std::vector<ForeignTone>& tones = options.tones[r];
     const auto take = [&](const std::vector<ForeignTone>& rings) {
       for (const ForeignTone& ring : rings)

@@ -64,6 +64,14 @@ struct LumpConsistency {
   bool significant = false;
 };
 
+/// Noise of a mode's lines that their tables do not say.
+struct UnstatedNoise {
+  std::string resonance, mode;
+  double sd = 0;                  ///< of a line's real part, peak, modal displacement
+  double degrees_of_freedom = 0;  ///< of what the model leaves of the rows; 0: it comes from repeats
+  std::size_t rows = 0;           ///< of tables
+};
+
 /// What an estimate ended with: where another one of nearly the same equations may start.
 struct EstimationState;
 
@@ -90,6 +98,7 @@ struct Estimate {
   /// Symbols x symbols: of parameters with a number. Without what misfits and doubts add to single error bars.
   Eigen::MatrixXd covariance;
   Eigen::VectorXd parameter_sd;  ///< of `parameter_values` by the noise of the lumps; 0 where they say nothing
+  std::vector<UnstatedNoise> unstated_noise;
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;
 };
@@ -113,8 +122,8 @@ struct MeasuredUnits {
   std::vector<std::string> excitation;
 };
 
-/// Of what was measured nothing is left to estimate from, or to begin at. Of a campaign as it was measured that is for
-/// its user to mend; of what equations make of it, a way that does not lead further.
+/// Of what was measured nothing is left to estimate from, or to begin at. Of a campaign as it was measured that is
+/// for its user to mend; of what equations make of it, a way that does not lead further.
 class NothingObserved : public NumericalFailure {
  public:
   explicit NothingObserved(const std::string& message) : NumericalFailure(Ending::out_of_range, message) {}

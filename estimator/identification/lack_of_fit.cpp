@@ -239,6 +239,9 @@ Scatter scatter_of(const Conditions& conditions, bool of_dwells) {
 std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) {
   std::vector<LackOfFit> result;
   if (fit.fit.coefficients.size() == 0) return result;
+  // Noise that is what the fit left tells nothing of the fit.
+  const std::vector<Observation>& all = fit.set->observations;
+  if (std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.noise_known; })) return result;
   const Residuals residuals = residuals_of(fit);
   const std::map<Equation, Conditions> equations = gathered(fit, residuals.values, unknown);
   const std::map<Equation, double> unknowns =

@@ -4,16 +4,24 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "measure/data/line_row.hpp"
 #include "measure/formats/quantity.hpp"
 
 namespace secular {
 
 enum class ChannelRole { excitation, response };
-enum class RecordKind { dwell, sweep, free_decay, impact, broadband };
+/// `lines`: a row of a table of lines, which stands for a dwell whose samples are not there.
+enum class RecordKind { dwell, sweep, free_decay, impact, broadband, lines };
+
+/// Whether its motion is steady, at one excitation frequency.
+inline bool is_steady(RecordKind kind) {
+  return kind == RecordKind::dwell || kind == RecordKind::lines;
+}
 
 /// What the motion of a response is measured against: a base that may itself move, or space.
 enum class Frame { relative, absolute };
@@ -38,9 +46,10 @@ struct ModalBasis {
   std::vector<std::vector<double>> mass_normalised_shapes;  ///< channels x modes
 };
 
-/// What campaign.toml says of one record; the samples are read on demand by read_record.
+/// What campaign.toml says of one record; the samples are read on demand by read_record. A record of kind `lines`
+/// is one row of its table, read with the campaign.
 struct RecordEntry {
-  std::string file;  ///< relative to the campaign folder
+  std::string file;  ///< relative to the campaign folder; of a row "FILE:LINE"
   RecordKind kind = RecordKind::dwell;
   std::optional<double> excitation_frequency_hz;
   std::optional<double> excitation_amplitude;
@@ -49,12 +58,13 @@ struct RecordEntry {
   std::string group;
   std::map<std::string, std::string> variables;  ///< channel name or "t" -> variable of the file
   std::uint32_t line = 0;                        ///< of its [[record]] in campaign.toml, 0 when made in memory
+  std::shared_ptr<const LineRow> row{};          ///< kind `lines`
 };
 
 struct Campaign {
   std::filesystem::path folder;
   std::string name;
-  double sample_rate_hz = 0;
+  double sample_rate_hz = 0;  ///< 0: a campaign of tables alone, which have none
   std::vector<Channel> channels;
   std::optional<ModalBasis> modal_basis;
   std::vector<RecordEntry> records;
@@ -86,6 +96,7 @@ struct Record {
   /// have.
   std::vector<std::size_t> unusable{};
   std::vector<std::size_t> moving{};  ///< channels that tell the motion, for what counts beside these; empty: all
+  std::shared_ptr<const LineRow> row{};  ///< all that is known of a row of a table, which has no samples
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
 };
 
@@ -101,7 +112,8 @@ std::vector<std::size_t> seen_responses(const Campaign& campaign);
 /// The channel that measures the base's acceleration: the only excitation that is an acceleration, if there is one.
 std::optional<std::size_t> base_channel(const Campaign& campaign);
 
-/// Reads campaign.toml of a folder (CONTRACT: schema 1). Throws InputError.
+/// Reads campaign.toml of a folder (CONTRACT: schema 1), and the tables of lines it names: each row becomes a
+/// record. Throws InputError.
 Campaign read_campaign(const std::filesystem::path& folder);
 
 /// Reads one record's samples from any file that read_data_file reads. The record's rate is campaign.toml's
@@ -109,7 +121,7 @@ Campaign read_campaign(const std::filesystem::path& folder);
 /// infinity), follow from what is around them; ends where nothing was recorded are cut off (cut_unrecorded). Throws
 /// InputError for a missing column, text where a number should
 /// be, more samples that are no numbers, time that does not increase evenly (names the place), a sample rate that
-/// contradicts campaign.toml by more than 0.1 %.
+/// contradicts campaign.toml by more than 0.1 %. Of a row of a table there are no samples, but Record::row.
 Record read_record(const Campaign& campaign, const RecordEntry& entry);
 
 }  // namespace secular

@@ -1,5 +1,7 @@
 #include "measure/data/campaign_text.hpp"
 
+#include <utility>
+
 #include "measure/formats/number_table.hpp"
 
 namespace secular {
@@ -36,8 +38,9 @@ std::string quoted_list(const std::vector<std::string>& names) {
 }  // namespace
 
 std::string campaign_text(const Campaign& campaign) {
-  std::string text = "schema = 1\nname = " + quoted(campaign.name) +
-                     "\nsample_rate_hz = " + toml_number(campaign.sample_rate_hz) + "\n";
+  std::string text =
+      "schema = 1\nname = " + quoted(campaign.name) + "\n" +
+      (campaign.sample_rate_hz > 0 ? "sample_rate_hz = " + toml_number(campaign.sample_rate_hz) + "\n" : "");
   for (const Channel& channel : campaign.channels)
     text += "\n[[channel]]\nname = " + quoted(channel.name) + "\nrole = " + quoted(to_string(channel.role)) +
             "\nquantity = " + quoted(to_string(channel.quantity)) + "\nunit = " + quoted(channel.unit) + "\n" +
@@ -53,7 +56,15 @@ std::string campaign_text(const Campaign& campaign) {
     }
     text += "]\n";
   }
+  std::string table;
   for (const RecordEntry& entry : campaign.records) {
+    if (entry.row) {  // all rows of a table are one [[record]]
+      if (entry.row->table == std::exchange(table, entry.row->table)) continue;
+      text +=
+          "\n[[record]]\nfile = " + quoted(entry.row->table) + "\nkind = " + quoted(to_string(entry.kind)) + "\n";
+      if (!entry.group.empty()) text += "group = " + quoted(entry.group) + "\n";
+      continue;
+    }
     text += "\n[[record]]\nfile = " + quoted(entry.file) + "\nkind = " + quoted(to_string(entry.kind)) + "\n";
     const auto add = [&](const char* key, const std::optional<double>& value) {
       if (value) text += std::string(key) + " = " + toml_number(*value) + "\n";

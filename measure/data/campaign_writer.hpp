@@ -23,6 +23,8 @@ class CampaignWriter {
   ~CampaignWriter();
   /// Writes the samples of a record; from any thread. The entry belongs into the campaign that finish() gets.
   void write(const Campaign& campaign, const RecordEntry& entry, const Record& record);
+  /// The same of a table of lines: its entry is one of kind `lines` without a row.
+  void write(const Campaign& campaign, const RecordEntry& entry, const std::vector<LineRow>& rows);
   void finish(const Campaign& campaign);
 
  private:

@@ -25,4 +25,11 @@ bool matches_pattern(const std::string& pattern, const std::string& file) {
   return p == pattern.size();
 }
 
+bool matches_record(const std::string& pattern, const std::string& record) {
+  if (matches_pattern(pattern, record)) return true;
+  const std::size_t colon = record.rfind(':');
+  return colon != std::string::npos && record.find_first_not_of("0123456789", colon + 1) == std::string::npos &&
+         matches_pattern(pattern, record.substr(0, colon));
+}
+
 }  // namespace secular

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "input/input_error.hpp"
 #include "measure/data/channel_times.hpp"
 #include "measure/data/import_channels.hpp"
+#include "measure/data/import_parts.hpp"
 #include "measure/data/jitter.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/names.hpp"
@@ -62,34 +64,8 @@ RecordKind record_kind(const std::string& text) {
   const auto kind = parse_record_kind(text);
   if (!kind)
     throw InputError("--kind " + text, "", "is no kind of record", std::string(record_kind_list) + " was expected");
+  if (kind == RecordKind::lines) throw std::invalid_argument("import_files: tables are read by import_tables");
   return *kind;
-}
-
-// Value of an option that is given once for all files or once a file.
-std::optional<double> of_file(const std::vector<double>& values, std::size_t file, std::size_t files,
-                              const char* option) {
-  if (values.empty()) return std::nullopt;
-  if (values.size() != 1 && values.size() != files)
-    throw InputError(option, "", fmt::format("has {} values for {} files", values.size(), files),
-                     "one for all files or one for each was expected");
-  const double value = values.size() == 1 ? values.front() : values[file];
-  if (!std::isfinite(value) || value <= 0)
-    throw InputError(option, "", fmt::format("is {}", value), "a positive number was expected");
-  return value;
-}
-
-// A file name that says where the record came from, in characters every system knows.
-std::string record_file(const std::filesystem::path& source, std::set<std::string>& taken) {
-  std::string stem;
-  for (const char c : source.stem().string()) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-                       c == '-' || c == '.';
-    stem += plain ? c : '_';
-  }
-  // The writer puts .csv in place of an extension: a point of the name must not look like one.
-  std::string name = "records/" + stem + ".csv";
-  for (int copy = 2; !taken.insert(name).second; ++copy) name = fmt::format("records/{}-{}.csv", stem, copy);
-  return name;
 }
 
 DecimalMark decimal_mark(const std::string& text) {
@@ -271,6 +247,10 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     throw InputError("--sample-rate", "", "is not positive", "a rate in Hz was expected");
   if (options.ensemble_s && (!std::isfinite(*options.ensemble_s) || *options.ensemble_s <= 0))
     throw InputError("--ensemble", "", "is not positive", "a duration in seconds was expected");
+  if (options.table.any())
+    throw InputError(
+        "--column, --amplitudes, --phases, --phase-sign, --phase-offset, --per-excitation, --frequency-unit", "",
+        "belong to tables", "give them with --kind lines");
   const Variables variables = describe_data_file(options.files.front());
   const std::vector<DescribedChannel> channels = describe_channels(options, variables);
   RowChoice time = time_variable(options, variables, options.files.front().string());

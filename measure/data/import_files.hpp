@@ -10,6 +10,22 @@
 
 namespace secular {
 
+/// What the user says about tables of lines; the comments name the options.
+struct TableOptions {
+  std::vector<std::string> columns;        ///< --column PART=VARIABLE
+  std::string amplitudes;                  ///< --amplitudes; empty: peak
+  std::string phases;                      ///< --phases; empty: as the files state
+  std::string phase_sign;                  ///< --phase-sign; empty: lead
+  std::optional<double> phase_offset_deg;  ///< --phase-offset
+  bool per_excitation = false;             ///< --per-excitation
+  std::string frequency_unit;              ///< --frequency-unit; empty: as the files state, else Hz
+
+  bool any() const {
+    return !columns.empty() || !amplitudes.empty() || !phases.empty() || !phase_sign.empty() || phase_offset_deg ||
+           per_excitation || !frequency_unit.empty();
+  }
+};
+
 /// What the user says about files of other origin; the comments name the options of `secular import`.
 struct ImportOptions {
   std::vector<std::filesystem::path> files;  ///< one record each
@@ -22,6 +38,7 @@ struct ImportOptions {
   std::vector<double> frequencies_hz;    ///< --frequency: none, one for all files or one a file
   std::vector<double> amplitudes;        ///< --amplitude: the same
   std::optional<double> ensemble_s;      ///< --ensemble
+  TableOptions table;                    ///< of kind `lines` alone
   std::string decimal_mark;              ///< --decimal-mark: "." or ","; empty: as the dialect of a CSV has it
 };
 

@@ -11,12 +11,12 @@
 #include "measure/data/jitter.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
-#include "measure/data/number_table.hpp"
 #include "measure/data/record_data.hpp"
 #include "measure/data/recorded_span.hpp"
 #include "measure/formats/csv_header.hpp"
 #include "measure/formats/data_file.hpp"
 #include "measure/formats/matrix_lines.hpp"
+#include "measure/formats/number_table.hpp"
 #include "measure/formats/unit.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/fill_gaps.hpp"
@@ -135,6 +135,10 @@ MissingCells without_ends(MissingCells cells, const std::vector<Unrecorded>& end
 RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std::size_t limit,
                                 const TimeSpan& span, const RecordLook& look) {
   RecordInspection inspection;
+  if (campaign.records[index].row) {
+    inspection.samples = inspection.judged = 1;
+    return inspection;
+  }
   try {
     RecordData data = read_record_data(campaign, campaign.records[index], MissingNumbers::keep_as_nan, limit);
     CutEnds cut = data.partial ? CutEnds{} : cut_unrecorded(campaign, data.stamps_s, data.channels);

@@ -9,8 +9,8 @@
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/lost_rows.hpp"
-#include "measure/data/number_table.hpp"
 #include "measure/data/recorded_span.hpp"
+#include "measure/formats/number_table.hpp"
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {

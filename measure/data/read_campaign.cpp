@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -6,6 +7,7 @@
 #include "input/toml_table.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/names.hpp"
+#include "measure/data/table_entries.hpp"
 #include "measure/formats/channel_name.hpp"
 #include "measure/formats/unit.hpp"
 
@@ -94,9 +96,18 @@ std::optional<double> positive(const TomlTable& table, std::string_view key) {
   return value;
 }
 
+bool is_table(const TomlTable& record) {
+  return parse_record_kind(record.string("kind")) == RecordKind::lines;
+}
+
 RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
-  table.refuse_unknown_keys({"file", "kind", "excitation_frequency_hz", "excitation_amplitude", "ensemble_s",
-                             "started_s", "group", "variables"});
+  const bool of_lines = is_table(table);
+  std::vector<std::string_view> keys = {"file", "kind", "excitation_amplitude", "started_s", "group", "variables"};
+  if (of_lines)
+    keys.insert(keys.end(), std::begin(table_keys), std::end(table_keys));
+  else
+    keys.insert(keys.end(), {"excitation_frequency_hz", "ensemble_s"});
+  table.refuse_unknown_keys(keys);
   RecordEntry entry;
   entry.line = table.line();
   entry.file = table.string("file");
@@ -112,12 +123,12 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
   if (!kind)
     table.fail("kind", "is '" + table.string("kind") + "'", std::string(record_kind_list) + " was expected");
   entry.kind = *kind;
-  entry.excitation_frequency_hz = positive(table, "excitation_frequency_hz");
+  if (!of_lines) entry.excitation_frequency_hz = positive(table, "excitation_frequency_hz");
   if (entry.excitation_frequency_hz && *entry.excitation_frequency_hz >= 0.5 * campaign.sample_rate_hz)
     table.fail("excitation_frequency_hz", "is not below half the sample rate",
                "check the unit (Hz) and sample_rate_hz");
   entry.excitation_amplitude = positive(table, "excitation_amplitude");
-  entry.ensemble_s = positive(table, "ensemble_s");
+  if (!of_lines) entry.ensemble_s = positive(table, "ensemble_s");
   entry.started_s = table.optional_number("started_s");
   entry.group = table.string_or("group", "");
   if (table.has("variables")) {
@@ -125,7 +136,8 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
     for (const std::string& key : variables.keys()) {
       const bool known = key == "t" || std::any_of(campaign.channels.begin(), campaign.channels.end(),
                                                    [&](const Channel& c) { return c.name == key; });
-      if (!known) variables.fail(key, "is no channel", "map 't' and channel names to variables of the file");
+      if (!known && !of_lines)
+        variables.fail(key, "is no channel", "map 't' and channel names to variables of the file");
       entry.variables[key] = variables.string(key);
     }
   }
@@ -180,8 +192,12 @@ Campaign read_campaign(const fs::path& folder) {
   Campaign campaign;
   campaign.folder = folder;
   campaign.name = root.string_or("name", folder.filename().string());
-  campaign.sample_rate_hz = root.number("sample_rate_hz");
-  if (campaign.sample_rate_hz <= 0) root.fail("sample_rate_hz", "is not positive", "a rate in Hz was expected");
+  const std::vector<TomlTable> records = root.tables("record");
+  const bool tables_alone = !records.empty() && std::all_of(records.begin(), records.end(), is_table);
+  if (!tables_alone || root.has("sample_rate_hz")) {
+    campaign.sample_rate_hz = root.number("sample_rate_hz");
+    if (campaign.sample_rate_hz <= 0) root.fail("sample_rate_hz", "is not positive", "a rate in Hz was expected");
+  }
   std::set<std::string> names;
   for (const TomlTable& table : root.tables("channel")) {
     campaign.channels.push_back(read_channel(table));
@@ -197,7 +213,15 @@ Campaign read_campaign(const fs::path& folder) {
                                         [](const Channel& c) { return c.role == ChannelRole::response; });
   if (!any_response) root.fail("channel", "no channel is a response", "describe at least one response [[channel]]");
   if (root.has("modal_basis")) campaign.modal_basis = read_basis(root.table("modal_basis"), campaign.channels);
-  for (const TomlTable& table : root.tables("record")) campaign.records.push_back(read_entry(table, campaign));
+  for (const TomlTable& table : records) {
+    RecordEntry entry = read_entry(table, campaign);
+    if (entry.kind != RecordKind::lines) {
+      campaign.records.push_back(std::move(entry));
+      continue;
+    }
+    std::vector<RecordEntry> rows = table_entries(table, campaign, entry);
+    std::move(rows.begin(), rows.end(), std::back_inserter(campaign.records));
+  }
   if (campaign.records.empty()) root.fail("record", "there are no records", "add a [[record]] for every file");
   return campaign;
 }

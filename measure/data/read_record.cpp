@@ -78,6 +78,11 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
 }
 
 Record read_record(const Campaign& campaign, const RecordEntry& entry) {
+  if (entry.row) {
+    Record record;
+    record.row = entry.row;
+    return record;
+  }
   RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_gaps);
   CutEnds cut = cut_unrecorded(campaign, data.stamps_s, data.channels);
   data.place.first += cut.first;

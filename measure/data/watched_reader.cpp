@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "measure/data/jitter.hpp"
+#include "measure/data/line_table.hpp"
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {
@@ -74,6 +75,10 @@ ChannelValues values_of(const Record& record, std::size_t channel, std::span<con
 
 Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
+  if (record.row) {
+    record.row = std::make_shared<const LineRow>(relative_to_base(campaign_, *record.row));
+    return record;
+  }
   const Seen* known = nullptr;
   bool without_clipped = false;
   {

@@ -221,6 +221,49 @@ std::vector<double> numbers(mat_t* file, matvar_t& variable, const Stretch& part
   }
 }
 
+// Real parts and imaginary parts of all of a complex variable; empty if they cannot be read.
+std::array<std::vector<double>, 2> complex_numbers(mat_t* file, matvar_t& variable) {
+  const std::size_t count = element_count(variable);
+  const auto read = [&](auto element) -> std::array<std::vector<double>, 2> {
+    std::vector<decltype(element)> real(count), imaginary(count);
+    mat_complex_split_t parts{real.data(), imaginary.data()};
+    if (Mat_VarReadDataLinear(file, &variable, &parts, 0, 1, static_cast<int>(count)) != 0) return {};
+    return {std::vector<double>(real.begin(), real.end()), std::vector<double>(imaginary.begin(), imaginary.end())};
+  };
+  if (variable.class_type == MAT_C_DOUBLE) return read(double{});
+  if (variable.class_type == MAT_C_SINGLE) return read(float{});
+  return {};
+}
+
+// A complex variable as two real ones, NAME.re and NAME.im, or two for each line of a matrix: tables of lines have
+// them.
+void add_complex_parts(mat_t* file, matvar_t& variable, const std::string& name,
+                       const std::function<bool(const std::string&)>& is_wanted, std::size_t limit,
+                       std::vector<MatVariable>& variables) {
+  const bool real_type = variable.class_type == MAT_C_DOUBLE || variable.class_type == MAT_C_SINGLE;
+  const std::size_t count = element_count(variable);
+  if (!real_type || count == 0 || count > std::numeric_limits<int>::max()) return;
+  const std::vector<std::size_t> shape(variable.dims, variable.dims + variable.rank);
+  const std::optional<MatrixLines> matrix = matrix_lines(shape);
+  if (!matrix && !array_fault(shape).empty()) return;
+  std::array<std::vector<double>, 2> whole;
+  for (std::size_t i = 0; i < (matrix ? matrix->count : 1); ++i)
+    for (const std::size_t part : {0u, 1u}) {
+      MatVariable line;
+      line.path = (matrix ? matrix->name(name, i) : name) + (part == 0 ? ".re" : ".im");
+      line.shape = matrix ? std::vector<std::size_t>{matrix->length} : shape;
+      line.type = part == 0 ? "real part" : "imaginary part";
+      if (is_wanted(line.path) && limit > 0) {
+        if (whole[0].empty()) whole = complex_numbers(file, variable);
+        const std::size_t rows = shape[0], length = matrix ? matrix->length : count;
+        for (std::size_t n = 0; n < std::min(length, limit) && !whole[part].empty(); ++n)
+          line.values.push_back(whole[part][!matrix ? n : matrix->columns ? i * rows + n : i + n * rows]);
+        if (line.values.empty()) line.fault = "has no complete data";
+      }
+      variables.push_back(std::move(line));
+    }
+}
+
 // Why a variable holds no real numbers; empty if it does.
 std::string number_fault(const matvar_t& variable) {
   if (variable.isComplex) return "is complex";
@@ -274,6 +317,7 @@ void add_variable(mat_t* file, matvar_t& variable, const std::string& name, cons
     }
     if (found.fault.empty() && is_wanted(variables.back().path)) places.push_back(i);
   }
+  if (variable.isComplex) add_complex_parts(file, variable, name, is_wanted, limit, variables);
   if (places.empty()) return;
   std::vector<std::vector<double>> lines;
   if (matrix)

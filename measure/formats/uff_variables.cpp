@@ -12,6 +12,7 @@
 #include "input/input_error.hpp"
 #include "measure/formats/channel_name.hpp"
 #include "measure/formats/uff_file.hpp"
+#include "measure/formats/uff_frf.hpp"
 #include "measure/formats/uff_units.hpp"
 #include "measure/formats/unit.hpp"
 
@@ -56,8 +57,9 @@ std::string type_name(UffOrdinate type) {
 // Why a function is no channel of a record; empty if it is one.
 std::string channel_fault(const UffFunction& function) {
   if (function.type != time_response)
-    return fmt::format("is a {} (function type {}), no time response (type 1)", function_type_name(function.type),
-                       function.type);
+    return fmt::format("is a {} (function type {}), no time response (type 1){}", function_type_name(function.type),
+                       function.type,
+                       is_frequency_function(function) ? "; --kind lines reads it as a table of lines" : "");
   if (is_complex(function.ordinate)) return "is complex";
   if (function.count == 0) return "is empty";
   return {};
@@ -134,6 +136,7 @@ DataFile read_uff_variables(const std::filesystem::path& path, const std::vector
   }
   for (std::size_t i = 0; i < functions.size(); ++i)
     data.variables.push_back(channel_variable(names[i], functions[i], is_wanted(names[i])));
+  add_frequency_functions(functions, names, is_wanted, data.variables);
   return data;
 }
 

@@ -715,7 +715,8 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
   ModalSurvey survey;
   survey.campaign = read_campaign(folder);
   survey.options = options;
-  if (options.highest_hz > 0 && options.highest_hz >= 0.5 * survey.campaign.sample_rate_hz)
+  if (options.highest_hz > 0 && survey.campaign.sample_rate_hz > 0 &&
+      options.highest_hz >= 0.5 * survey.campaign.sample_rate_hz)
     throw InputError("--band", "", fmt::format("{} Hz is not below half the sample rate", options.highest_hz),
                      fmt::format("{} samples/s allow less than {} Hz", survey.campaign.sample_rate_hz,
                                  0.5 * survey.campaign.sample_rate_hz));

@@ -121,7 +121,7 @@ SurveyRecords::SurveyRecords(ModalSurvey& survey)
   std::vector<std::size_t> struck;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
-    if (!matches_pattern(survey.options.records, entry.file)) continue;
+    if (!matches_record(survey.options.records, entry.file)) continue;
     if (entry.kind == RecordKind::impact && force_) {
       struck.push_back(r);
     } else if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
@@ -133,8 +133,13 @@ SurveyRecords::SurveyRecords(ModalSurvey& survey)
     }
   }
   if (struck.empty() && decays_.empty())
-    throw InputError(toml_of(survey), "[[record]]", "none of the records is of kind free_decay or impact",
-                     "a modal survey needs free decays or impacts");
+    throw InputError(
+        toml_of(survey), "[[record]]", "none of the records is of kind free_decay or impact",
+        std::any_of(campaign.records.begin(), campaign.records.end(),
+                    [](const RecordEntry& entry) { return entry.row != nullptr; })
+            ? "a modal survey needs free decays or impacts; of tables of lines, `secular identify` with a "
+              "model that is linear tells frequency and damping"
+            : "a modal survey needs free decays or impacts");
   if (!struck.empty()) find_places(struck);
 }
 

@@ -14,6 +14,7 @@
 #include "measure/observe/record_window.hpp"
 #include "measure/observe/related_tones.hpp"
 #include "measure/observe/response_tones.hpp"
+#include "measure/observe/tabled_tones.hpp"
 #include "measure/signal/bispectral_phase.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "measure/signal/tone_fit.hpp"
@@ -88,11 +89,11 @@ class DwellObserver {
   ObservationSet run() const {
     std::vector<std::size_t> dwells;
     for (std::size_t r = 0; r < campaign_.records.size(); ++r)
-      if (campaign_.records[r].kind == RecordKind::dwell && window_.takes(r, campaign_.records[r].file))
-        dwells.push_back(r);
+      if (is_steady(campaign_.records[r].kind) && window_.takes(r, campaign_.records[r].file)) dwells.push_back(r);
     std::vector<ObservationSet> results(dwells.size());
     in_parallel(dwells.size(), window_.threads,
                 [&](std::size_t i) { observe(dwells[i], static_cast<int>(i), results[i]); });
+    share_conditions(campaign_, dwells, results);
     ObservationSet all;
     all.model = &model_;
     all.resonance = &resonance_;
@@ -102,6 +103,7 @@ class DwellObserver {
       std::move(results[i].at_rest.begin(), results[i].at_rest.end(), std::back_inserter(all.at_rest));
       std::move(results[i].warnings.begin(), results[i].warnings.end(), std::back_inserter(all.warnings));
     }
+    noise_from_repeats(all);
     return all;
   }
 
@@ -109,6 +111,7 @@ class DwellObserver {
   void observe(std::size_t r, int condition, ObservationSet& result) const {
     const RecordEntry& entry = campaign_.records[r];
     const Record record = read_(r);
+    if (record.row) return observe_row(*record.row, r, condition, result);
     const SampleRange range = range_of(record, window_);
     std::optional<Index> asked;
     if (entry.ensemble_s) asked = static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz));
@@ -148,6 +151,85 @@ class DwellObserver {
       warn_of_level(entry, found, result);
     }
     result.observations = std::move(found);
+  }
+
+  // A row of a table: the lines are there, in place of what the tones of an ensemble are fitted to.
+  void observe_row(const LineRow& row, std::size_t r, int condition, ObservationSet& result) const {
+    const RecordEntry& entry = campaign_.records[r];
+    const auto leave_out = [&](const std::string& why) {
+      result.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));
+    };
+    if (!window_.passes(two_pi * row.frequency_hz))
+      return leave_out(fmt::format("its excitation at {:.4g} Hz is outside of the band", row.frequency_hz));
+    if (!modes_.free.empty())
+      return leave_out("a table has lines at multiples of the excitation's frequency alone, and case " +
+                       std::string(resonance_.name) + " leaves the modes' own frequencies free");
+    Observation o;
+    o.condition = condition;
+    o.record = r;
+    for (const std::size_t channel : excitations_) {
+      const TableLine& force = *row.find(channel, {});
+      o.excitation_frequency.push_back(two_pi * row.frequency_hz);
+      o.excitation_frequency_sd.push_back(0);
+      o.forcing.push_back(force.amplitude);
+      o.forcing_sd.push_back(force.sd.value_or(0));
+    }
+    const TabledTones tones(row, {model_, resonance_, modes_}, o.excitation_frequency, projection_.channels,
+                            window_);
+    const bool level_known = row.level_is_set || o.forcing_sd.front() > 0;
+    o.noise_known = tones.noise_known() && level_known;
+    if (const std::string missing = observe_tabled_modes(tones, o); !missing.empty()) return leave_out(missing);
+    observe_tabled_blocks(tones, o);
+    if (std::vector<Observation> found = {o}; motion_ == DwellMotion::steady && at_rest(found)) {
+      result.at_rest = std::move(found);
+      return leave_out("the motion is on the trivial branch (its amplitude is not above the noise)");
+    }
+    result.observations = {std::move(o)};
+  }
+
+  // What the row lacks, in words; empty: nothing.
+  std::string observe_tabled_modes(const TabledTones& tones, Observation& o) const {
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      const double f = tones.frequency_of_mode(k);
+      Complex value = 0;
+      double sd = 0;
+      if (modes_.oscillates[k]) {
+        const auto line = tones.of_mode(k);
+        if (!line)
+          return fmt::format("it has no line at {:.4g} times the excitation's frequency, where {} moves in case {}",
+                             f / o.excitation_frequency[0], model_.coordinates[k], resonance_.name);
+        const double scale = std::pow(f, projection_.derivatives);
+        value = to_displacement({project(projection_, k, line->amplitude)}, f, projection_.derivatives).value;
+        sd = project_sd(projection_, k, line->sd) / scale;
+      }
+      o.amplitude.push_back(value);
+      o.amplitude_sd.push_back(sd);
+      o.rate.emplace_back(0, f);
+      o.growth_sd.push_back(0);
+      o.frequency_sd.push_back(0);
+    }
+    return {};
+  }
+
+  void observe_tabled_blocks(const TabledTones& tones, Observation& o) const {
+    for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+      const auto mode = static_cast<std::size_t>(resonance_.blocks[b].mode);
+      const bool zero = is_zero_frequency(resonance_.blocks[b]);
+      Complex value = 0;
+      double sd = -1;
+      const auto line = zero && projection_.derivatives > 0 ? std::nullopt : tones.of_block(b);
+      if (line && zero) {
+        value = project(projection_, mode, line->amplitude);
+        sd = project_sd(projection_, mode, line->sd);
+      } else if (line) {
+        const double f = tones.frequency_of_block(b), size = std::abs(f);
+        value = to_displacement({project(projection_, mode, line->amplitude)}, size, projection_.derivatives).value;
+        if (f < 0) value = std::conj(value);
+        sd = project_sd(projection_, mode, line->sd) / std::pow(size, projection_.derivatives);
+      }
+      o.harmonic.push_back(value);
+      o.harmonic_sd.push_back(sd);
+    }
   }
 
   // What an excitation channel holds if it is not mainly its tone.
@@ -403,7 +485,9 @@ class DwellObserver {
     for (std::size_t k = 0; k < model_.modes(); ++k) {
       if (!modes_.oscillates[k]) continue;
       double largest = 0;
-      for (const Observation& o : found) largest = std::max(largest, std::abs(o.amplitude[k]) / o.amplitude_sd[k]);
+      for (const Observation& o : found)
+        largest = o.noise_known ? std::max(largest, std::abs(o.amplitude[k]) / o.amplitude_sd[k])
+                                : (o.amplitude[k] == Complex() ? largest : INFINITY);
       if (largest < measure_thresholds().trivial_branch_sd) return true;
     }
     return false;

@@ -55,9 +55,27 @@ std::vector<Subharmonic> subharmonics_of(const Resonance& resonance) {
   return found;
 }
 
+// Lines of a table that stand out of their noise; where that is not known, those that are there.
+std::vector<Subharmonic> tabled_subharmonics(const LineRow& row, const std::vector<std::size_t>& responses,
+                                             const std::vector<Subharmonic>& looked_for) {
+  std::vector<Subharmonic> seen;
+  for (const Subharmonic& s : looked_for) {
+    const bool there = std::any_of(responses.begin(), responses.end(), [&](std::size_t channel) {
+      const TableLine* line = row.find(channel, {s.numerator, s.denominator});
+      const TableLine* fundamental = row.find(channel, {});
+      if (line == nullptr) return false;
+      const auto sd = line->sd || fundamental == nullptr ? line->sd : fundamental->sd;
+      return std::abs(line->amplitude) > measure_thresholds().trivial_branch_sd * sd.value_or(0);
+    });
+    if (there) seen.push_back(s);
+  }
+  return seen;
+}
+
 std::vector<Subharmonic> seen_subharmonics(const Campaign& campaign, const Record& record, double excitation,
                                            const std::vector<Subharmonic>& looked_for, const Window& window) {
   const std::vector<std::size_t> responses = channels_of(campaign, ChannelRole::response);
+  if (record.row) return tabled_subharmonics(*record.row, responses, looked_for);
   const SampleRange range = range_of(record, window);
   const Index count = std::min(range.count, most_samples);
   const double resolution = two_pi * record.sample_rate_hz / static_cast<double>(std::max<Index>(1, count));
@@ -109,7 +127,7 @@ std::vector<DwellTones> dwell_tones(const Campaign& campaign, const RecordReader
   std::vector<DwellTones> dwells;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
-    if (entry.kind == RecordKind::dwell && entry.excitation_frequency_hz && window.takes(r, entry.file))
+    if (is_steady(entry.kind) && entry.excitation_frequency_hz && window.takes(r, entry.file))
       dwells.push_back({r, two_pi * *entry.excitation_frequency_hz, {}});
   }
   std::vector<Subharmonic> all;

@@ -48,6 +48,9 @@ struct Observation {
   std::vector<double> growth_sd, frequency_sd;
   /// Dwells, of frequencies that the case leaves free (ModeFrequencies::free): what the modes' frequencies share.
   std::vector<double> free_frequency_sd;
+  /// False: of a table that does not say its standard deviations. They are 0 then until repeats or what a model
+  /// leaves have told them; of what drives it none are known.
+  bool noise_known = true;
   std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
   std::vector<double> harmonic_sd;             ///< [block], negative where not measured
 };

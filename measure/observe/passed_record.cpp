@@ -52,7 +52,7 @@ std::vector<std::size_t> touched(const std::vector<std::size_t>& unusable, Index
 }  // namespace
 
 Record passed_record(const Campaign& campaign, std::size_t record, Record samples, const Window& window) {
-  if (!window.band) return samples;
+  if (!window.band || samples.row) return samples;
   const RecordKind kind = campaign.records[record].kind;
   const bool decays = kind == RecordKind::free_decay || kind == RecordKind::impact;
   const Index first = decays ? release(campaign, samples, window) : 0;

@@ -107,7 +107,7 @@ double project_sd(const ModalProjection& projection, std::size_t mode, const Eig
 }
 
 bool Window::takes(std::size_t record, const std::string& file) const {
-  return matches_pattern(records, file) && (chosen.empty() || (record < chosen.size() && chosen[record]));
+  return matches_record(records, file) && (chosen.empty() || (record < chosen.size() && chosen[record]));
 }
 
 bool Window::passes(double frequency) const {

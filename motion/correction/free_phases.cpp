@@ -10,6 +10,7 @@
 
 #include "estimator/identification/unsupported_values.hpp"
 #include "input/numerical_failure.hpp"
+#include "motion/correction/noise_left.hpp"
 
 namespace secular {
 namespace {
@@ -95,8 +96,10 @@ void free_phases(const std::vector<ObservationSet>& observed, const EstimateTask
 }  // namespace
 
 PhasedEstimate estimate_with_phases(const std::vector<ObservationSet>& observed, const EstimateTask& task) {
-  PhasedEstimate result{estimate_corrected(observed, task), {}, {}};
-  const std::string failure = failure_of([&] { free_phases(observed, task, result); });
+  std::vector<ObservationSet> sets = observed;
+  PhasedEstimate result{estimate_with_noise_left(sets, task), {}, {}};
+  if (!result.of.estimate.unstated_noise.empty()) return result;  // nothing says whether the phases hold
+  const std::string failure = failure_of([&] { free_phases(sets, task, result); });
   if (!failure.empty())  // the numbers with phases as measured stay
     result.of.estimate.warnings.push_back(fmt::format("whether records are late was not found out: {}", failure));
   return result;

@@ -24,6 +24,10 @@ using Complex = std::complex<double>;
 /// than one with dense output.
 constexpr double dense_samples = 0.157;
 
+/// Of a row of a table, in place of samples that were measured: enough for lines up to a fifth of the rate, and for
+/// a resolution that parts the third of an excitation's frequency from its neighbours by more than ten bins.
+constexpr double samples_of_a_turn = 64, turns_of_a_row = 64;
+
 /// For each thread; ensembles and stretches are short.
 constexpr std::size_t records_ahead = 16;
 
@@ -67,16 +71,22 @@ class Replay {
     MotionSettings s;
     double fastest = 0;
     for (const std::size_t k : decay_windows_.oscillating()) fastest = std::max(fastest, o.rate[k].imag());
-    if (fastest > dense_samples * campaign_.sample_rate_hz) s.method = Integrator::dormand_prince_87;
+    if (fastest > dense_samples * rate_of(o, index)) s.method = Integrator::dormand_prince_87;
     s.label = fmt::format("{}, replayed with the estimated parameters", campaign_.records[index].file);
     s.relative_tolerance = 1e-9;
     return s;
   }
 
-  Record empty(std::size_t samples, double start) const {
+  // Rows of tables have no samples of their own.
+  double rate_of(const Observation& o, std::size_t index) const {
+    return campaign_.records[index].row ? samples_of_a_turn * o.excitation_frequency[0] / two_pi
+                                        : campaign_.sample_rate_hz;
+  }
+
+  Record empty(std::size_t samples, double start, double rate) const {
     Record r;
     r.start_s = start;
-    r.sample_rate_hz = campaign_.sample_rate_hz;
+    r.sample_rate_hz = rate;
     r.channels.assign(campaign_.channels.size(), std::vector<double>(samples, 0.0));
     return r;
   }
@@ -100,9 +110,10 @@ class Replay {
   }
 
   Record dwell(const Observation& o, std::size_t index) const {
-    const double rate = campaign_.sample_rate_hz;
-    const auto count = static_cast<std::size_t>(
-        std::lround(campaign_.records[index].ensemble_s.value_or(200 * two_pi / o.excitation_frequency[0]) * rate));
+    const double rate = rate_of(o, index);
+    const double turns = campaign_.records[index].row ? turns_of_a_row : 200;
+    const auto count = static_cast<std::size_t>(std::lround(
+        campaign_.records[index].ensemble_s.value_or(turns * two_pi / o.excitation_frequency[0]) * rate));
     const ExcitationSignal signal = [&](double t, ExcitationSample* s) {
       for (std::size_t j = 0; j < o.forcing.size(); ++j) {
         const double w = o.excitation_frequency[j];
@@ -113,7 +124,7 @@ class Replay {
     const double begin = -0.5 * static_cast<double>(count - 1) / rate;  // phases count from the centre
     const OscillationState state = states_.at(parameters_, o, begin);
     MotionState moving{state.displacement, state.velocity};
-    Record record = empty(count, 0);
+    Record record = empty(count, 0, rate);
     std::size_t i = 0;
     integrate_motion({model_, parameters_.data(), signal}, {begin, begin, 1 / rate, count}, settings(o, index),
                      moving, [&](const MotionSample& sample) { store(sample, i++, record); });
@@ -137,7 +148,7 @@ class Replay {
     const auto motion = [&](const OscillationState& state, double seconds) {
       MotionState moving{state.displacement, state.velocity};
       const auto count = static_cast<std::size_t>(std::lround(seconds * rate)) + 1;
-      Record record = empty(count, begin);
+      Record record = empty(count, begin, rate);
       std::size_t i = 0;
       integrate_motion({model_, parameters_.data(), silent}, {0, 0, 1 / rate, count}, settings(first, index),
                        moving, [&](const MotionSample& sample) { store(sample, i++, record); });
