@@ -22,7 +22,7 @@ void add_row(const Campaign& campaign, const LineRow& row, TableSummary& table) 
     if (std::find(table.lines.begin(), table.lines.end(), name) == table.lines.end()) table.lines.push_back(name);
     const bool drives = line.channel == excitation.front();
     if (drives && line.number == LineNumber{}) level = std::abs(line.amplitude);
-    if (line.sd || (drives && row.level_is_set)) continue;
+    if (line.sd || drives) continue;
     if (std::find(table.without_sd.begin(), table.without_sd.end(), name) == table.without_sd.end())
       table.without_sd.push_back(name);
   }
@@ -91,10 +91,10 @@ std::string table_import(const std::filesystem::path& path, const FileInspection
   const CsvName bare = bracketed_unit(frequency);
   const bool usual =
       bare.name == "f" || bare.name == "freq" || bare.name == "frequency" || bare.name == "Frequency";
-  return fmt::format("secular import {} -o CAMPAIGN --kind lines{} --channel NAME:excitation:QUANTITY:UNIT{}{}",
-                     path.string(), usual ? "" : fmt::format(" --column 'f={}'", frequency),
-                     responses ? " --level LEVEL" : "",
-                     responses ? channels : " --channel NAME:response:QUANTITY:UNIT --column NAME.phase=VARIABLE");
+  return fmt::format(
+      "secular import {} -o CAMPAIGN --kind lines{} --channel NAME:excitation:QUANTITY:UNIT{}{}", path.string(),
+      usual ? "" : fmt::format(" --column 'f={}'", frequency), responses ? " --level LEVEL" : "",
+      responses ? channels : " --channel NAME:response:QUANTITY:UNIT --column NAME.phase=VARIABLE --phases deg");
 }
 
 }  // namespace secular::app

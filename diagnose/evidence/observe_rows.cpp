@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <numeric>
 
 #include "diagnose/evidence/dwell_ensembles.hpp"
 #include "diagnose/thresholds.hpp"
@@ -113,13 +115,9 @@ class RowsObserver {
         const LineNumber number = number_of(lines, at[l]);
         double squares = 0;
         for (const auto& [record, row] : rows_) {
-          const TableLine* own = row->find(channels[c], number);
-          const TableLine* fundamental = row->find(channels[c], {});
           const bool drives = context_.campaign.channels[channels[c]].role == ChannelRole::excitation;
-          std::optional<double> line = own->sd;
-          if (!line && fundamental != nullptr && fundamental->sd)
-            line = *fundamental->sd / (number.is_mean() ? std::sqrt(2.0) : 1);
-          if (!line && drives && row->level_is_set) line = 0;
+          std::optional<double> line = row->sd_of(channels[c], number);
+          if (!line && drives) line = 0;
           if (!line) return std::nullopt;
           squares += *line * *line;
         }

@@ -161,7 +161,8 @@ ImportedCampaign import_tables(const ImportOptions& options, const TableSink& si
         if (channel.quantity != first.quantity)
           throw InputError(path.string(), "channel " + channel.name, "measures " + to_string(channel.quantity),
                            "the first file says " + to_string(first.quantity));
-        request.channels.push_back({channel.name, channel.role, channels[c].variable, channels[c].si_factor});
+        request.channels.push_back(
+            {channel.name, channel.role, channels[c].variable, channel.quantity, channels[c].si_factor});
         if (channel.role == ChannelRole::excitation) excitation_factor = channels[c].si_factor;
         if (f == 0 && number.size() < 2 && (number.empty() || number == "1") && !channels[c].given_unit.empty())
           imported.converted.push_back({channel.name, channels[c].given_unit, channel.unit});
@@ -188,7 +189,7 @@ ImportedCampaign import_tables(const ImportOptions& options, const TableSink& si
       for (const LineRow& row : table.rows)
         for (const TableLine& line : row.lines)
           if (!line.sd && line.number == LineNumber{} &&
-              (campaign.channels[line.channel].role == ChannelRole::response || !row.level_is_set))
+              campaign.channels[line.channel].role == ChannelRole::response)
             without_sd.insert(campaign.channels[line.channel].name);
       RecordEntry entry;
       std::filesystem::path source = path;

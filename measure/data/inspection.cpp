@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -237,6 +238,12 @@ void look_at_file(const FileLook& look, const DataFile& data, const FileInspecti
   look(campaign, record);
 }
 
+// No reading of a sensor does for long.
+bool only_rises(const std::vector<double>& values) {
+  return values.size() > 2 &&
+         std::adjacent_find(values.begin(), values.end(), std::greater_equal<>()) == values.end();
+}
+
 // The time and what goes with it, cut to a span.
 void cut_file(const TimeSpan& span, DataFile& data, FileInspection& inspection) {
   if (!inspection.axis)
@@ -287,8 +294,8 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
                                     variable.stated_unit, variable.fault, std::nullopt});
     if (!variable.fault.empty()) continue;
     inspection.variables.back().quality = check_variable(variable.values);
-    if (is_called_time(variable.name) ||
-        variable.name == inspection.time) {  // neither an offset nor a ramp is a fault of time
+    if (is_called_time(variable.name) || variable.name == inspection.time || only_rises(variable.values)) {
+      // Neither an offset nor a ramp is a fault of a time or of a spectrum's frequency.
       inspection.variables.back().quality->faults.clear();
       inspection.variables.back().quality->noise.reset();
       inspection.variables.back().quality->resolution.reset();

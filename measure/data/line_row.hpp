@@ -3,6 +3,7 @@
 #include <compare>
 #include <complex>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct TableLine {
   std::size_t channel = 0;  ///< in Campaign::channels
   LineNumber number;
   std::complex<double> amplitude;
-  /// Of its real and of its imaginary part, each. Nothing: the table does not say it.
+  /// Of its real and of its imaginary part, each. Nothing: the table does not say it; a level is exact then.
   std::optional<double> sd;
 };
 
@@ -34,9 +35,6 @@ struct LineRow {
   std::string place;  ///< "line 12"
   double frequency_hz = 0;
   std::vector<TableLine> lines;
-  /// The level is one that was set: the same number stands in another row of the table, as what is measured hardly
-  /// ever does, or it was given. Without a standard deviation such a level counts as exact.
-  bool level_is_set = false;
   /// Rows of a table with the same label are repeats of one condition. Nothing: a condition of its own.
   std::optional<long long> condition;
 
@@ -44,6 +42,15 @@ struct LineRow {
     for (const TableLine& line : lines)
       if (line.channel == channel && line.number == number) return &line;
     return nullptr;
+  }
+
+  /// Standard deviation of a line: its own; else by that of its channel at Omega, of which a mean's is smaller by
+  /// sqrt(2), since a sample's noise leaves sqrt(2/n) of a line's real part. Nothing: the row does not say it.
+  std::optional<double> sd_of(std::size_t channel, LineNumber number) const {
+    const TableLine *own = find(channel, number), *fundamental = find(channel, {});
+    if (own != nullptr && own->sd) return own->sd;
+    if (fundamental == nullptr || !fundamental->sd) return std::nullopt;
+    return number.is_mean() ? *fundamental->sd / std::numbers::sqrt2 : *fundamental->sd;
   }
 };
 

@@ -30,6 +30,10 @@ constexpr const char* joints[] = {".", "_", " "};
 /// Names of the column of frequencies, where none is given.
 constexpr const char* frequency_names[] = {"f", "freq", "frequency", "Freq", "Frequency"};
 
+/// Relative, within which repeats of a setting are the same: that of a generator's frequency, and a level that is
+/// measured or controlled.
+constexpr double same_frequency = 1e-3, same_level = 0.1;
+
 /// No line of a higher multiple, and none of a smaller part, is read: a longer number is no line's.
 constexpr int largest_multiple = 999;
 
@@ -89,7 +93,7 @@ class TableReader {
   LineTable read() {
     require_one_excitation();
     frequency_ = frequency_column();
-    condition_ = named("condition").value_or(look_up({"condition"}).value_or(""));
+    condition_ = named("condition").value_or(look_up(unclaimed({"condition"})).value_or(""));
     for (std::size_t c = 0; c < request_.channels.size(); ++c) find_lines(c);
     for (const auto& [part, variable] : request_.columns)
       if (used_parts_.count(part) == 0)
@@ -99,7 +103,7 @@ class TableReader {
     load();
     LineTable table;
     for (std::size_t i = 0; i < rows_; ++i) read_row(i, table);
-    find_set_levels(table.rows);
+    require_repeats(table.rows);
     for (const DataVariable& variable : variables_)
       if (taken_.count(variable.name) == 0 && variable.fault.empty()) table.unused.push_back(variable.name);
     if (table.rows.empty())
@@ -154,9 +158,38 @@ class TableReader {
     return std::nullopt;
   }
 
+  static bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  bool has_real_part(const std::string& base) const {
+    return std::any_of(std::begin(joints), std::end(joints), [&](const char* joint) {
+      return std::any_of(variables_.begin(), variables_.end(), [&](const DataVariable& variable) {
+        return bracketed_unit(variable.name).name == base + joint + "re";
+      });
+    });
+  }
+
+  // Without those that hold amplitudes of a channel.
+  std::vector<std::string> unclaimed(std::vector<std::string> usual) const {
+    std::erase_if(usual, [&](const std::string& name) {
+      return !has_real_part(name) &&
+             std::any_of(request_.channels.begin(), request_.channels.end(),
+                         [&](const TableChannel& c) { return c.name == name || c.variable == name; });
+    });
+    return usual;
+  }
+
   std::string frequency_column() {
     if (const auto given = named("f")) return *given;
-    if (const auto usual = look_up({std::begin(frequency_names), std::end(frequency_names)})) return *usual;
+    const std::vector<std::string> usual = unclaimed({std::begin(frequency_names), std::end(frequency_names)});
+    if (const auto found = look_up(usual)) {
+      for (const DataVariable& other : variables_)
+        if (other.name != *found && contains(usual, bracketed_unit(other.name).name))
+          throw InputError(file_, "", fmt::format("{} and {} both have a name of frequencies", *found, other.name),
+                           fmt::format(fmt::runtime(request_.words.column), "f"));
+      return *found;
+    }
     throw InputError(file_, "",
                      "which column holds the excitation's frequency is not known: its variables are " + names(),
                      fmt::format(fmt::runtime(request_.words.column), "f"));
@@ -234,12 +267,14 @@ class TableReader {
                                           : "",
                           name),
               request_.words.level);
-        level_is_given_ = true;
         return;
       }
       throw InputError(file_, "channel " + name, "has no column of amplitudes: its variables are " + names(),
                        fmt::format(fmt::runtime(request_.words.column), name));
     }
+    if (drives && source.number == LineNumber{} && request_.convention.level)
+      throw InputError(file_, "channel " + name, "has a column of levels and is given another one",
+                       "leave the level out, or name the channel as no column is");
     if (!source.amplitude.empty() && source.phase.empty() && !drives && !source.number.is_mean())
       throw InputError(file_, "channel " + name,
                        fmt::format("has amplitudes ({}) and no phases against the excitation: its variables are {}",
@@ -267,15 +302,31 @@ class TableReader {
                          "all columns of a table have one length");
       require_number_range(values, file_, "variable " + column);
     }
-    for (const LineSource& source : sources_)
+    for (const LineSource& source : sources_) {
+      for (const std::string* column : {&source.amplitude, &source.real, &source.imaginary, &source.sd})
+        if (!column->empty()) require_quantity(*column, request_.channels[source.channel]);
       if (!source.amplitude.empty() && !source.number.is_mean()) require_no_decibels(source.amplitude);
+    }
+  }
+
+  // A frequency response function states the unit of a quotient, if any.
+  void require_quantity(const std::string& column, const TableChannel& channel) const {
+    const DataVariable& variable = data_.vector(column);
+    const std::string stated =
+        variable.stated_unit.empty() ? bracketed_unit(variable.name).unit : variable.stated_unit;
+    if (stated == "dB")
+      throw InputError(file_, "variable " + column, "is in dB", "amplitudes, or real and imaginary parts");
+    if (per_excitation_ && channel.role == ChannelRole::response) return;
+    if (const std::string fault = quantity_fault(variable, channel.quantity); !fault.empty())
+      throw InputError(file_, "variable " + column, fault,
+                       fmt::format("channel {} is one of {}", channel.name, to_string(channel.quantity)));
   }
 
   double hertz_of_frequency() {
     const DataVariable& variable = data_.vector(frequency_);
-    std::string unit = request_.convention.frequency_unit;
-    if (unit.empty()) unit = variable.stated_unit;
+    std::string unit = variable.stated_unit;
     if (unit.empty()) unit = bracketed_unit(variable.name).unit;
+    if (unit.empty()) unit = request_.convention.frequency_unit;
     const std::string name = variable.name.substr(variable.name.rfind('.') + 1);
     const bool circular = name.starts_with("omega") || name.starts_with("Omega") || name == "w";
     if (unit.empty() && circular)
@@ -310,6 +361,12 @@ class TableReader {
     if (const auto meaning = unit_meaning(usual_spelling(variable.stated_unit));
         meaning && meaning->quantity == Quantity::angle)
       return meaning->si_factor;
+    const std::string stated =
+        variable.stated_unit.empty() ? bracketed_unit(variable.name).unit : variable.stated_unit;
+    if (!stated.empty() && stated != "deg" && stated != "rad")
+      throw InputError(file_, "variable " + column,
+                       fmt::format("has the unit '{}', which is none of the phases of {}", stated, line),
+                       "deg or rad");
     if (!request_.convention.degrees)
       throw InputError(file_, "variable " + column,
                        fmt::format("whether the phases of {} are degrees or radians is not known", line),
@@ -346,6 +403,11 @@ class TableReader {
     if (convention.lags) line.amplitude = std::conj(line.amplitude);
     if (!drives && !mean) line.amplitude *= std::polar(1.0, convention.phase_offset_rad);
     double squares = 0, count = 0;
+    for (const std::string* sd : {&source.sd, &source.phase_sd})
+      if (!sd->empty() && at(*sd, row) < 0) {
+        line.sd = at(*sd, row);  // read_row refuses it
+        return line;
+      }
     if (!source.sd.empty()) {
       squares += std::pow(at(source.sd, row) * factor_of(source.sd, source.channel, mean), 2);
       ++count;
@@ -402,12 +464,24 @@ class TableReader {
     table.rows.push_back(std::move(row));
   }
 
-  // Sizes: phases are those of the clock.
-  void find_set_levels(std::vector<LineRow>& rows) const {
-    const auto level = [&](const LineRow& row) { return std::abs(row.find(excitation_, {})->amplitude); };
-    std::map<double, int> count;
-    for (const LineRow& row : rows) ++count[level(row)];
-    for (LineRow& row : rows) row.level_is_set = count[level(row)] > 1 || level_is_given_;
+  // Rows with one label are of one condition, an excitation frequency with a level.
+  void require_repeats(const std::vector<LineRow>& rows) const {
+    std::map<long long, const LineRow*> first;
+    for (const LineRow& row : rows) {
+      if (!row.condition) continue;
+      const LineRow& before = *first.try_emplace(*row.condition, &row).first->second;
+      const double level = std::abs(row.find(excitation_, {})->amplitude),
+                   level_before = std::abs(before.find(excitation_, {})->amplitude);
+      if (std::abs(row.frequency_hz - before.frequency_hz) > same_frequency * before.frequency_hz ||
+          std::abs(level - level_before) > same_level * level_before)
+        throw InputError(
+            file_, row.place,
+            fmt::format("condition {} is at {:.6g} Hz with level {:.4g}, in {} it is at {:.6g} Hz with "
+                        "level {:.4g}",
+                        *row.condition, row.frequency_hz, level, before.place, before.frequency_hz, level_before),
+            "rows with one label are repeats, of one frequency and level; without repeats leave the "
+            "column out, or call it otherwise");
+    }
   }
 
   const std::filesystem::path& path_;
@@ -418,7 +492,7 @@ class TableReader {
   std::size_t excitation_ = 0, rows_ = 0;
   std::string frequency_, condition_;
   double hertz_ = 1;
-  bool per_excitation_ = false, level_is_given_ = false;
+  bool per_excitation_ = false;
   std::vector<LineSource> sources_;
   DataFile data_;
 };

@@ -36,6 +36,7 @@ struct TableChannel {
   std::string name;
   ChannelRole role = ChannelRole::response;
   std::string variable;  ///< what its columns' names begin with
+  Quantity quantity = Quantity::displacement;
   double si_factor = 1;  ///< of numbers whose unit the file does not state
 };
 

@@ -19,9 +19,10 @@ TableConvention convention_of(const TomlTable& table, const RecordEntry& entry) 
     table.fail("amplitudes", "is '" + table.string("amplitudes") + "'",
                std::string(table_amplitude_list) + " was expected");
   convention.amplitude = *amplitude;
-  const std::string phases = choice("phases", "rad");
-  if (phases != "rad" && phases != "deg") table.fail("phases", "is '" + phases + "'", "rad or deg was expected");
-  convention.degrees = phases == "deg";
+  if (const std::string phases = choice("phases", ""); !phases.empty()) {
+    if (phases != "rad" && phases != "deg") table.fail("phases", "is '" + phases + "'", "rad or deg was expected");
+    convention.degrees = phases == "deg";
+  }
   const std::string sign = choice("phase_sign", "lead");
   if (sign != "lead" && sign != "lag") table.fail("phase_sign", "is '" + sign + "'", "lead or lag was expected");
   convention.lags = sign == "lag";
@@ -41,8 +42,9 @@ std::vector<RecordEntry> table_entries(const TomlTable& table, const Campaign& c
   TableRequest request;
   for (const Channel& channel : campaign.channels) {
     const auto renamed = entry.variables.find(channel.name);
-    request.channels.push_back(
-        {channel.name, channel.role, renamed == entry.variables.end() ? channel.name : renamed->second});
+    request.channels.push_back({channel.name, channel.role,
+                                renamed == entry.variables.end() ? channel.name : renamed->second,
+                                channel.quantity});
   }
   for (const auto& [part, variable] : entry.variables) {
     const bool channel = std::any_of(campaign.channels.begin(), campaign.channels.end(),

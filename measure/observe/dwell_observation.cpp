@@ -176,8 +176,7 @@ class DwellObserver {
     }
     const TabledTones tones(row, {model_, resonance_, modes_}, o.excitation_frequency, projection_.channels,
                             window_);
-    const bool level_known = row.level_is_set || o.forcing_sd.front() > 0;
-    o.noise_known = tones.noise_known() && level_known;
+    o.noise_known = tones.noise_known();
     if (const std::string missing = observe_tabled_modes(tones, o); !missing.empty()) return leave_out(missing);
     observe_tabled_blocks(tones, o);
     if (std::vector<Observation> found = {o}; motion_ == DwellMotion::steady && at_rest(found)) {

@@ -61,11 +61,10 @@ std::vector<Subharmonic> tabled_subharmonics(const LineRow& row, const std::vect
   std::vector<Subharmonic> seen;
   for (const Subharmonic& s : looked_for) {
     const bool there = std::any_of(responses.begin(), responses.end(), [&](std::size_t channel) {
-      const TableLine* line = row.find(channel, {s.numerator, s.denominator});
-      const TableLine* fundamental = row.find(channel, {});
-      if (line == nullptr) return false;
-      const auto sd = line->sd || fundamental == nullptr ? line->sd : fundamental->sd;
-      return std::abs(line->amplitude) > measure_thresholds().trivial_branch_sd * sd.value_or(0);
+      const LineNumber number{s.numerator, s.denominator};
+      const TableLine* line = row.find(channel, number);
+      return line != nullptr && std::abs(line->amplitude) >
+                                    measure_thresholds().trivial_branch_sd * row.sd_of(channel, number).value_or(0);
     });
     if (there) seen.push_back(s);
   }

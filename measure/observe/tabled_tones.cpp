@@ -46,16 +46,8 @@ TabledTones::TabledTones(const LineRow& row, const Case& of, const std::vector<d
     const bool used = std::any_of(needed.begin(), needed.end(), [&](double f) {
       return std::abs(line.number.of(excitation_) - f) < same_ratio * f;
     });
-    if (response && used && !sd_of(line)) noise_known_ = false;
+    if (response && used && !row.sd_of(line.channel, line.number)) noise_known_ = false;
   }
-}
-
-std::optional<double> TabledTones::sd_of(const TableLine& line) const {
-  if (line.sd) return line.sd;
-  const TableLine* fundamental = row_.find(line.channel, {});
-  if (fundamental == nullptr || !fundamental->sd) return std::nullopt;
-  // Of a line's real part, a sample's noise leaves sqrt(2/n); of a mean 1/sqrt(n).
-  return line.number.is_mean() ? *fundamental->sd / std::sqrt(2.0) : *fundamental->sd;
 }
 
 std::optional<TabledTones::Line> TabledTones::of_block(std::size_t block) const {
@@ -74,7 +66,8 @@ std::optional<TabledTones::Line> TabledTones::at(double frequency) const {
     if (line == row_.lines.end()) return std::nullopt;
     const double share = line->number.is_mean() ? 1 : 0.5;
     found.amplitude(static_cast<Index>(c)) = share * line->amplitude;
-    found.sd(static_cast<Index>(c)) = noise_known_ ? share * sd_of(*line).value_or(0) : 0;
+    found.sd(static_cast<Index>(c)) =
+        noise_known_ ? share * row_.sd_of(line->channel, line->number).value_or(0) : 0;
   }
   return found;
 }

@@ -45,7 +45,6 @@ class TabledTones {
 
  private:
   std::optional<Line> at(double frequency) const;
-  std::optional<double> sd_of(const TableLine& line) const;
 
   const LineRow& row_;
   const CompiledCase& resonance_;

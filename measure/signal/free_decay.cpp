@@ -125,12 +125,13 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
   return DecayStart{start, decomposed_frequency(samples.segment(start, window), rate, frequency)};
 }
 
-// A swing whose largest excursions lie in its first turn and in its last one.
+// A short swing whose largest excursions lie in its first turn and in its last one: over many turns no structure
+// loses as little, and hum does.
 std::optional<DecayStart> swing_that_keeps_its_size(const Eigen::Ref<const VectorXd>& samples, double rate) {
   if (samples.size() < 64) return std::nullopt;
   const double level = samples.mean(), largest = (samples.array() - level).abs().maxCoeff();
   const std::vector<double> zeros = crossings(samples, level, measure_thresholds().zero_level * largest, 0);
-  if (zeros.size() <= fewest_halves) return std::nullopt;
+  if (zeros.size() <= fewest_halves || zeros.size() > 2 * halves_at_first) return std::nullopt;
   const double half = (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
   const auto turn = static_cast<Index>(2 * half);
   const auto reaches = [&](const auto& part) { return ((part.array() - level).abs() >= 0.99 * largest).any(); };

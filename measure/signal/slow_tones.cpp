@@ -88,7 +88,10 @@ SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double ra
 SlowToneWeights slow_tone_weights(Index samples, double rate, const std::vector<double>& frequencies, int degree,
                                   int offset_degree) {
   const MatrixXd basis = basis_of(samples, rate, frequencies, degree, offset_degree);
-  const MatrixXd inverse = basis.householderQr().solve(MatrixXd::Identity(samples, samples));
+  const Eigen::HouseholderQR<MatrixXd> qr(basis);
+  const MatrixXd directions = qr.householderQ() * MatrixXd::Identity(samples, basis.cols());
+  const MatrixXd upper = qr.matrixQR().topRows(basis.cols());
+  const MatrixXd inverse = upper.triangularView<Eigen::Upper>().solve(directions.transpose());
   const double half = 0.5 * static_cast<double>(samples - 1) / rate;
   const auto tones = static_cast<Index>(frequencies.size());
   SlowToneWeights weights;

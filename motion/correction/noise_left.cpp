@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "estimator/model/zero_frequency.hpp"
+#include "input/input_error.hpp"
 #include "measure/observe/modal_projection.hpp"
 
 namespace secular {
@@ -58,7 +59,12 @@ class UnstatedLevels {
       rows += static_cast<double>(quality.equations);
     }
     freedom_ = rows - static_cast<double>(columns.size());
-    if (!(freedom_ >= 1)) return 0;
+    if (!(freedom_ >= 1))
+      throw InputError(std::string(set_.model->name), "case " + name,
+                       fmt::format("{} rows of tables do not say their standard deviations, and leave no degree of "
+                                   "freedom to tell them",
+                                   unknown_rows(set_)),
+                       "columns CHANNEL.sd, or more rows");
     const double fitted = std::sqrt(rows / freedom_);
     double change = 0;
     for (const BlockQuality& quality : estimate.blocks)
@@ -127,18 +133,44 @@ class UnstatedLevels {
 
 }  // namespace
 
+// What a model leaves of rows whose noise is known and of others together is the noise of neither.
+void leave_out_beside_known(ObservationSet& set, std::vector<std::string>& warnings) {
+  const std::size_t unknown = unknown_rows(set);
+  if (unknown == 0 || unknown == set.observations.size()) return;
+  std::erase_if(set.observations, [](const Observation& o) { return !o.noise_known; });
+  warnings.push_back(
+      fmt::format("case {}: {} rows of tables do not say their standard deviations, left out beside {} "
+                  "observations whose noise "
+                  "is known; add columns CHANNEL.sd, or leave the others out with --records",
+                  set.resonance->name, unknown, set.observations.size()));
+}
+
 CorrectedEstimate estimate_with_noise_left(std::vector<ObservationSet>& sets, const EstimateTask& task) {
   std::vector<UnstatedLevels> levels;
-  for (ObservationSet& set : sets)
+  std::vector<std::string> warnings;
+  for (ObservationSet& set : sets) {
+    leave_out_beside_known(set, warnings);
     if (unknown_rows(set) > 0) levels.emplace_back(set, modal_projection(task.campaign, *set.model).derivatives);
+  }
   CorrectedEstimate result = estimate_corrected(sets, task);
-  if (levels.empty()) return result;
+  const auto warn = [&] {
+    result.estimate.warnings.insert(result.estimate.warnings.end(), warnings.begin(), warnings.end());
+  };
+  if (levels.empty()) {
+    warn();
+    return result;
+  }
+  double change = 0;
   for (int round = 0; round < most_noise_rounds; ++round) {
-    double change = 0;
+    change = 0;
     for (UnstatedLevels& of_set : levels) change = std::max(change, of_set.take(result.estimate));
     if (round > 0 && change < same_noise) break;
     result = estimate_corrected(sets, task);
   }
+  warn();
+  if (!(change < same_noise))
+    result.estimate.warnings.push_back(fmt::format(
+        "noise of rows that do not say it is not settled: it still moves by {:.0f} % a round", 100 * change));
   for (const UnstatedLevels& of_set : levels) of_set.note(result.estimate);
   return result;
 }

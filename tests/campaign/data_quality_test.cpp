@@ -223,6 +223,19 @@ TEST(Jitter, OfAFileIsAFault) {
   EXPECT_NE(file.faults[0].text.find("a tone of 20 Hz"), std::string::npos) << file.faults[0].text;
 }
 
+// Beside an offset of a sensor, which is one.
+TEST(OffsetOfAFile, IsNoneOfAFrequency) {
+  const std::filesystem::path path = testing_support::process_folder() / "frequencies.csv";
+  std::ofstream file(path);
+  file << "f,a\n";
+  for (int i = 0; i < 400; ++i) file << 20 + 0.01 * i * i << ',' << 9 + std::sin(0.31 * i) << '\n';
+  file.close();
+  const FileInspection inspection = inspect_file(path);
+  EXPECT_TRUE(inspection.variables.at(0).quality.value().faults.empty());
+  ASSERT_EQ(inspection.variables.at(1).quality.value().faults.size(), 1u);
+  EXPECT_EQ(inspection.variables[1].quality->faults[0].kind, "offset");
+}
+
 // Numbers that stand for none are named with their count and what to write; levels are those of the others.
 TEST(FillValuesOfAFile, AreNamed) {
   const std::filesystem::path path = testing_support::process_folder() / "fill_values.csv";

@@ -71,7 +71,6 @@ TEST_F(LineTables, AreRecordsRowByRow) {
   EXPECT_EQ(campaign.records[1].excitation_amplitude, 2);
   expect_near(tip(campaign, 0), std::polar(0.5, 0.25));
   expect_near(tip(campaign, 1), std::polar(0.75, -3.0));
-  EXPECT_TRUE(campaign.records[0].row->level_is_set);
   EXPECT_TRUE(contains(warnings_, "standard deviation of tip:"));
   EXPECT_EQ(campaign_text(campaign), read("c/campaign.toml"));
 }
@@ -135,12 +134,36 @@ TEST_F(LineTables, HoldHarmonicsMeansErrorsAndLabels) {
   EXPECT_EQ(campaign.records[1].row->find(1, {})->sd, 0.001);
   EXPECT_EQ(campaign.records[1].row->find(0, {})->sd, 0.01);
   EXPECT_EQ(campaign.records[1].row->condition, 1);
-  EXPECT_FALSE(campaign.records[1].row->level_is_set);
   EXPECT_EQ(warnings_, "");
   const Campaign of_phases = campaign_of(
       "f,force,tip,tip.phase (deg),tip.sd,tip.phase_sd (deg)\n10,2,0.5,90,0.003,1\n11,2,0.5,90,0.003,1\n");
   EXPECT_NEAR(*of_phases.records[0].row->find(1, {})->sd,
               std::sqrt((9e-6 + std::pow(0.5 * std::numbers::pi / 180, 2)) / 2), 1e-12);
+}
+
+TEST_F(LineTables, WhatTheyStateIsHeldAgainstWhatIsAsked) {
+  EXPECT_TRUE(contains(complaint("f,force,tip [g],tip.phase (rad)\n10,2,0.5,0.25\n"), "measures acceleration"));
+  EXPECT_TRUE(contains(complaint("f,force,tip [dB],tip.phase (rad)\n10,2,40,0.25\n"), "is in dB"));
+  EXPECT_TRUE(contains(complaint("f,force,tip,tip.phase (grad)\n10,2,0.5,0.25\n"), "has the unit 'grad'"));
+  EXPECT_TRUE(contains(complaint("f,freq,force,tip,tip.phase (rad)\n10,3,2,0.5,0.25\n"), "both have a name"));
+  EXPECT_TRUE(contains(complaint("f,condition,force,tip,tip.phase (rad)\n10,1,2,0.5,0.25\n11,1,2,0.5,0.25\n"),
+                       "rows with one label are repeats"));
+  EXPECT_TRUE(contains(complaint("f,condition,force,tip,tip.phase (rad)\n10,1,2,0.5,0.25\n10,1,3,0.5,0.25\n"),
+                       "rows with one label are repeats"));
+  options_.table.frequency_unit = "rad/s";
+  EXPECT_EQ(campaign_of("f (Hz),force,tip,tip.phase (rad)\n10,2,0.5,0.25\n").records[0].excitation_frequency_hz,
+            10);
+  options_.table = {};
+  options_.amplitudes = {3};
+  EXPECT_TRUE(contains(complaint(plain), "has a column of levels and is given another one"));
+}
+
+// A force that is called as frequencies are.
+TEST_F(LineTables, AChannelsNameIsNoOtherColumns) {
+  options_.channels = {"f:excitation:force:N", "tip:response:displacement:m"};
+  const Campaign campaign = campaign_of("freq,f,tip,tip.phase (rad)\n10,2,0.5,0.25\n");
+  EXPECT_EQ(campaign.records[0].excitation_frequency_hz, 10);
+  EXPECT_EQ(campaign.records[0].excitation_amplitude, 2);
 }
 
 TEST_F(LineTables, DamagedRowsAreLeftOutAndNamed) {
@@ -150,6 +173,8 @@ TEST_F(LineTables, DamagedRowsAreLeftOutAndNamed) {
   EXPECT_TRUE(contains(warnings_,
                        "4 of 6 rows left out: line 3: tip is no number; line 4: the frequency is 0; line "
                        "5: force is zero; line 6: tip is no number"));
+  EXPECT_TRUE(
+      contains(complaint("f,force,tip,tip.phase (rad),tip.sd\n10,2,1,0,-0.1\n"), "deviation of tip is -0.1"));
   EXPECT_TRUE(contains(complaint("f,force,tip,tip.phase (rad)\n10,2,abc,0\n"), "line 2"));
   EXPECT_TRUE(contains(complaint("f,force,tip,tip.phase (rad)\n10,2,-20,0\n"), "not dB"));
   EXPECT_TRUE(contains(complaint("f,force,tip,tip.phase (rad)\n0,2,1,0\n"), "has no row that can be used"));
@@ -193,7 +218,8 @@ TEST_F(LineTables, StandInCampaignTomlAsTheyAre) {
   EXPECT_TRUE(contains(complaint_of(names), "frequency_unit = "));
   EXPECT_TRUE(contains(complaint_of(names + "ensemble_s = 1.0\n"), "ensemble_s"));
   write("c/a.csv", "f,force,tip,tip.phase\n10,2,,90\n11,2,1,90\n");
-  EXPECT_TRUE(contains(complaint_of(""), "line 2: tip is no number"));
+  EXPECT_TRUE(contains(complaint_of("phases = \"deg\"\n"), "line 2: tip is no number"));
+  EXPECT_TRUE(contains(complaint_of(""), "write phases = "));
 }
 
 TEST_F(LineTables, AreReadFromFrequencyResponseFunctions) {
