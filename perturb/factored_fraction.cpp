@@ -1,6 +1,7 @@
 #include "perturb/factored_fraction.hpp"
 
 #include <cln/integer_io.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -292,57 +293,60 @@ std::optional<FractionSums::Product> FractionSums::factored(const FactoredFracti
   return product;
 }
 
-// Into irreducible factors, which take the divisor's place from now on.
-void FractionSums::take_apart(std::size_t number) {
-  Product product{1, std::vector<int>(symbols_.size(), 0), {}};
-  const GiNaC::ex whole = GiNaC::factor(divisors_[number].expression);
-  const bool several = GiNaC::is_exactly_a<GiNaC::mul>(whole);
-  for (std::size_t i = 0; i < (several ? whole.nops() : 1); ++i) {
-    const GiNaC::ex factor = several ? whole.op(i) : whole;
-    const bool repeated = GiNaC::is_exactly_a<GiNaC::power>(factor);
-    const int times = repeated ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    const FactoredFraction one = sum(terms((repeated ? factor.op(0) : factor).expand()).value());
-    product.scale = product.scale * cln::expt(one.scale, times);
-    if (one.numerator.is_one()) continue;
-    const std::size_t found = divisor(one.numerator, one.variables);
-    divisors_[found].irreducible = true;
-    multiply(product.divisors, found, times);
-  }
-  if (!divisors_[number].irreducible) divisors_[number].apart = std::move(product);
+// What they have in common beyond numbers; by GiNaC, whose factors of a single polynomial may take minutes where
+// greatest common divisors take milliseconds.
+FractionSums::Common FractionSums::common_factor(std::size_t number, const Polynomial& other,
+                                                 const std::vector<std::size_t>& variables) {
+  const Polynomial& polynomial = divisors_[number].polynomial;
+  if (polynomial.size() * other.size() > most_common_work)
+    throw PolynomialTooLarge(fmt::format("polynomials of {} and {} terms that may have a factor in common",
+                                         polynomial.size(), other.size()));
+  const GiNaC::ex common = GiNaC::gcd(divisors_[number].expression, expression(other, variables));
+  FactoredFraction found = sum(terms(common.expand()).value());
+  return {std::move(found.numerator), std::move(found.variables)};
 }
 
-// The factors of divisors that were taken apart in their place; the number that they multiply by is returned.
-cln::cl_RA FractionSums::bring_up_to_date(DivisorPowers& divisors) const {
-  cln::cl_RA scale = 1;
-  for (const auto& [number, power] : DivisorPowers(divisors)) {
-    if (!divisors_[number].apart) continue;
-    const Product& product = *divisors_[number].apart;
-    scale = scale * cln::expt(product.scale, -power);
-    multiply(divisors, number, -power);
-    for (const auto& [factor, times] : product.divisors) multiply(divisors, factor, times * power);
+// The factor and what is left take the divisor's place from now on; false if nothing is left.
+bool FractionSums::take_apart(std::size_t number, const Common& factor) {
+  const std::vector<std::size_t> variables = divisors_[number].variables;
+  const Polynomial rest =
+      divided(divisors_[number].polynomial, in_variables(factor.polynomial, factor.variables, variables)).value();
+  if (rest.is_one()) return false;
+  DivisorPowers factors;
+  multiply(factors, divisor(factor.polynomial, factor.variables), 1);
+  multiply(factors, divisor(rest, variables), 1);
+  divisors_[number].apart = std::move(factors);
+  return true;
+}
+
+// The factors of divisors that were taken apart in their place, and the factors of these.
+void FractionSums::bring_up_to_date(DivisorPowers& divisors) const {
+  while (true) {
+    const auto old = std::find_if(divisors.begin(), divisors.end(),
+                                  [&](const auto& entry) { return divisors_[entry.first].apart.has_value(); });
+    if (old == divisors.end()) return;
+    const auto [number, power] = *old;
+    divisors.erase(old);
+    for (const auto& [factor, times] : *divisors_[number].apart) multiply(divisors, factor, times * power);
   }
-  return scale;
 }
 
 FractionTerms FractionSums::up_to_date(FractionTerms terms) const {
-  for (FractionTerm& term : terms) {
-    if (std::none_of(term.divisors.begin(), term.divisors.end(),
-                     [&](const auto& entry) { return divisors_[entry.first].apart.has_value(); }))
-      continue;
-    const cln::cl_RA scale = bring_up_to_date(term.divisors);
-    term.real = term.real * scale;
-    term.imaginary = term.imaginary * scale;
-  }
+  for (FractionTerm& term : terms) bring_up_to_date(term.divisors);
   return terms;
 }
 
-// The first of two divisors that may have a factor in common, one that may be taken apart.
-std::optional<std::size_t> FractionSums::with_a_factor_in_common(const DivisorPowers& divisors) {
+// Takes one of two divisors that have a factor in common apart; false if there are none.
+bool FractionSums::separated(const DivisorPowers& divisors) {
   for (std::size_t a = 0; a < divisors.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if (const std::size_t x = divisors[a].first, y = divisors[b].first; !share_no_factor(x, y))
-        return divisors_[x].irreducible ? y : x;
-  return std::nullopt;
+    for (std::size_t b = 0; b < a; ++b) {
+      const std::size_t x = divisors[a].first, y = divisors[b].first;
+      if (share_no_factor(x, y)) continue;
+      const Common common = common_factor(x, divisors_[y].polynomial, divisors_[y].variables);
+      if (!common.polynomial.is_one()) return take_apart(x, common) || take_apart(y, common);
+      coprime_[std::minmax(x, y)] = true;
+    }
+  return false;
 }
 
 bool FractionSums::share_no_factor(std::size_t a, std::size_t b) {
@@ -455,20 +459,19 @@ class FractionSums::Combination {
   std::size_t& work_;
 };
 
-// Divisors are irreducible, or taken for it until it matters: where two of them have something in common, or one
-// and a numerator, the one is taken apart, and the sum begun again.
+// Divisors are taken for irreducible until it matters: where two of them have something in common, or one and a
+// numerator, the one is taken apart, and the sum begun again.
 FactoredFraction FractionSums::sum(const FractionTerms& terms) {
   FractionTerms current = up_to_date(terms);
   while (true) {
-    std::optional<std::size_t> reducible;
-    FactoredFraction result = sum(current, reducible);
-    if (!reducible) return result;
-    take_apart(*reducible);
+    std::optional<FactoredFraction> result = sum_if_apart(current);
+    if (result) return std::move(*result);
     current = up_to_date(std::move(current));
   }
 }
 
-FactoredFraction FractionSums::sum(const FractionTerms& terms, std::optional<std::size_t>& reducible) {
+// None where a divisor had to be taken apart.
+std::optional<FactoredFraction> FractionSums::sum_if_apart(const FractionTerms& terms) {
   FactoredFraction result;
   result.powers.assign(symbols_.size(), 0);
   std::vector<const FractionTerm*> present;
@@ -480,7 +483,7 @@ FactoredFraction FractionSums::sum(const FractionTerms& terms, std::optional<std
     result.powers = present.front()->powers;
     result.divisors = present.front()->divisors;
     result.numerator = one(0);
-    reducible = with_a_factor_in_common(result.divisors);
+    if (separated(result.divisors)) return std::nullopt;
     return result;
   }
 
@@ -489,8 +492,7 @@ FactoredFraction FractionSums::sum(const FractionTerms& terms, std::optional<std
   for (const FractionTerm* term : present)
     for (const auto& [divisor, power] : term->divisors)
       if (power_of(highest, divisor) == 0) multiply(highest, divisor, power);
-  reducible = with_a_factor_in_common(highest);
-  if (reducible) return result;
+  if (separated(highest)) return std::nullopt;
   std::vector<std::size_t> times(highest.size(), 0);
   for (std::size_t d = 0; d < highest.size(); ++d) {
     auto& [divisor, power] = highest[d];
@@ -526,7 +528,8 @@ FactoredFraction FractionSums::sum(const FractionTerms& terms, std::optional<std
     polynomials.push_back(
         in_variables(divisors_[divisor].polynomial, divisors_[divisor].variables, result.variables));
   result.numerator = Combination(std::move(parts), std::move(polynomials), result.variables.size(), work_).all();
-  if (result.numerator.is_zero()) return {0, std::vector<int>(symbols_.size(), 0), {}, Polynomial(), {}};
+  if (result.numerator.is_zero())
+    return FactoredFraction{0, std::vector<int>(symbols_.size(), 0), {}, Polynomial(), {}};
   result.scale = result.numerator.make_primitive() / common;
   const std::vector<int> monomial = result.numerator.take_out_monomial();
   for (std::size_t v = 0; v < result.variables.size(); ++v) result.powers[result.variables[v]] += monomial[v];
@@ -536,12 +539,12 @@ FactoredFraction FractionSums::sum(const FractionTerms& terms, std::optional<std
     if (highest[d].second != 0) result.divisors.push_back(highest[d]);
     if (highest[d].second > 0 && times[d] > 1) may_cancel.push_back(highest[d]);
   }
-  reducible = reduce(result, may_cancel);
+  if (!reduced(result, may_cancel)) return std::nullopt;
   return result;
 }
 
-// Cancels what of these divisors cancels, up to their powers; one that may do so in part is returned.
-std::optional<std::size_t> FractionSums::reduce(FactoredFraction& fraction, const DivisorPowers& by) {
+// Cancels what of these divisors cancels, up to their powers; false once one that does so in part was taken apart.
+bool FractionSums::reduced(FactoredFraction& fraction, const DivisorPowers& by) {
   for (const auto& [number, most] : by) {
     const Divisor& divisor = divisors_[number];
     if (std::any_of(divisor.variables.begin(), divisor.variables.end(), [&](std::size_t v) {
@@ -554,14 +557,19 @@ std::optional<std::size_t> FractionSums::reduce(FactoredFraction& fraction, cons
     };
     for (int power = most; power > 0 && may_cancel(); --power) {
       std::optional<Polynomial> quotient = divided(fraction.numerator, factor);
-      if (!quotient && !divisor.irreducible) return number;
-      if (!quotient) break;
+      if (!quotient) {
+        if (divisor.irreducible) break;
+        const Common common = common_factor(number, fraction.numerator, fraction.variables);
+        if (common.polynomial.is_one()) break;
+        take_apart(number, common);
+        return false;
+      }
       work_ += quotient->size();
       fraction.numerator = std::move(*quotient);
       multiply(fraction.divisors, number, -1);
     }
   }
-  return std::nullopt;
+  return true;
 }
 
 Polynomial FractionSums::expanded(const DivisorPowers& divisors, const std::vector<std::size_t>& variables) const {
@@ -578,14 +586,12 @@ Polynomial FractionSums::expanded(const DivisorPowers& divisors, const std::vect
 
 FactoredFraction FractionSums::in_lowest_terms(FactoredFraction fraction) {
   while (true) {
-    fraction.scale = fraction.scale * bring_up_to_date(fraction.divisors);
-    std::optional<std::size_t> reducible = with_a_factor_in_common(fraction.divisors);
+    bring_up_to_date(fraction.divisors);
+    if (separated(fraction.divisors)) continue;
     DivisorPowers dividing;
     std::copy_if(fraction.divisors.begin(), fraction.divisors.end(), std::back_inserter(dividing),
                  [](const auto& entry) { return entry.second > 0; });
-    if (!reducible) reducible = reduce(fraction, dividing);
-    if (!reducible) return fraction;
-    take_apart(*reducible);
+    if (reduced(fraction, dividing)) return fraction;
   }
 }
 

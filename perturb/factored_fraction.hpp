@@ -44,13 +44,19 @@ struct FactoredFraction {
 
 /// Brings sums of products over one denominator. Sums of many small divisors, as (omega1 + 2 omega2) of a model of
 /// several modes, have numerators of moderate size, but greatest common divisors of polynomials in so many
-/// variables take hours: here denominators are products of irreducible factors from the beginning, nothing but
-/// these can cancel, and each is tried by division. Results are exact: random points of a prime field only tell
-/// beforehand that a division fails, which they never tell wrongly.
+/// variables take hours: here denominators are products of factors without common factors from the beginning,
+/// nothing but these can cancel, and each is tried by division; where one cancels in part, it is taken apart.
+/// Results are exact: random points of a prime field only tell beforehand that a division fails, which they never
+/// tell wrongly.
 class FractionSums {
  public:
   /// `symbols`: those that expressions are rational in, Pi perhaps among them.
   explicit FractionSums(const GiNaC::exvector& symbols);
+
+  /// The product of the numbers of terms of two polynomials up to which their greatest common divisor is asked for:
+  /// a second or two (sums of five symbols to powers, 1821 by 496 terms: 1.7 s). Beyond it PolynomialTooLarge is
+  /// thrown.
+  static constexpr std::size_t most_common_work = 1'000'000;
 
   /// A sum of products of symbols, of complex rationals, and of powers of sums of them (negative powers of any sum,
   /// positive ones of sums without products, as a detuning). None for anything else.
@@ -87,8 +93,12 @@ class FractionSums {
     std::vector<std::size_t> variables;
     Polynomial polynomial;
     GiNaC::ex expression;
-    bool irreducible = false;      // known to be
-    std::optional<Product> apart;  // its factors, once they were asked for; powers as of multiplying
+    bool irreducible = false;            // known to be
+    std::optional<DivisorPowers> apart;  // factors that take its place; powers as of multiplying
+  };
+  struct Common {
+    Polynomial polynomial;
+    std::vector<std::size_t> variables;
   };
   struct Part;
   class Combination;
@@ -100,13 +110,14 @@ class FractionSums {
   bool is_linear(const GiNaC::ex& sum) const;
   std::size_t divisor(const Polynomial& primitive, const std::vector<std::size_t>& variables);
   GiNaC::ex expression(const Polynomial& polynomial, const std::vector<std::size_t>& variables) const;
-  std::optional<std::size_t> reduce(FactoredFraction& fraction, const DivisorPowers& by);
-  std::optional<std::size_t> with_a_factor_in_common(const DivisorPowers& divisors);
-  FactoredFraction sum(const FractionTerms& terms, std::optional<std::size_t>& reducible);
+  bool reduced(FactoredFraction& fraction, const DivisorPowers& by);
+  bool separated(const DivisorPowers& divisors);
+  std::optional<FactoredFraction> sum_if_apart(const FractionTerms& terms);
   FactoredFraction in_lowest_terms(FactoredFraction fraction);
-  void take_apart(std::size_t divisor);
+  Common common_factor(std::size_t divisor, const Polynomial& other, const std::vector<std::size_t>& variables);
+  bool take_apart(std::size_t divisor, const Common& factor);
   FractionTerms up_to_date(FractionTerms terms) const;
-  cln::cl_RA bring_up_to_date(DivisorPowers& divisors) const;
+  void bring_up_to_date(DivisorPowers& divisors) const;
   bool share_no_factor(std::size_t a, std::size_t b);
 
   GiNaC::exvector symbols_;

@@ -389,22 +389,27 @@ CanonicalModel canonical_model(const Model& model, const std::string& only_case,
     const auto value = model.nominal.find(name);
     result.nominal.push_back(value == model.nominal.end() ? std::nullopt : std::optional(value->second));
   }
-  for (std::size_t k = 0; k < equations.size(); ++k)
-    result.motion.push_back(motion_terms(model, equations[k], form, k));
-  std::size_t done = 0;
-  const std::size_t steps = steps_of_case * (only_case.empty() ? model.cases.size() : 1);
-  const auto step_done = [&] {
-    if (progress) progress(++done, steps);
-  };
-  for (const ResonanceCase& resonance : model.cases)
-    if (only_case.empty() || resonance.name == only_case) try {
-        result.cases.push_back(canonical_case(model, resonance, form, dimensions, content, step_done));
-      } catch (const PolynomialTooLarge& error) {
-        throw InputError(
-            model.file, resonance.place(), fmt::format("has {} when its expansion is multiplied out", error.what()),
-            "lower expand_to or leave out modes, terms or cases; `secular evaluate` gives its numbers as "
-            "it is");
-      }
+  std::string place;
+  try {
+    for (std::size_t k = 0; k < equations.size(); ++k) {
+      place = "equation of '" + model.modes[k].coordinate + "'";
+      result.motion.push_back(motion_terms(model, equations[k], form, k));
+    }
+    std::size_t done = 0;
+    const std::size_t steps = steps_of_case * (only_case.empty() ? model.cases.size() : 1);
+    const auto step_done = [&] {
+      if (progress) progress(++done, steps);
+    };
+    for (const ResonanceCase& resonance : model.cases) {
+      if (!only_case.empty() && resonance.name != only_case) continue;
+      place = resonance.place();
+      result.cases.push_back(canonical_case(model, resonance, form, dimensions, content, step_done));
+    }
+  } catch (const PolynomialTooLarge& error) {
+    throw InputError(model.file, place, fmt::format("has {} when its expansion is multiplied out", error.what()),
+                     "lower expand_to or leave out modes, terms or cases; `secular evaluate` gives its numbers as "
+                     "it is");
+  }
   result.fingerprint = fingerprint(result);
   return result;
 }

@@ -84,6 +84,37 @@ TEST_F(FactoredFractions, AreInLowestTerms) {
     }
 }
 
+// Factors of a single one of these polynomials may take minutes, what two have in common milliseconds.
+TEST_F(FactoredFractions, DivisorsOfHighDegreeAreTakenApart) {
+  const ex s = a + b + c + g;
+  for (const ex& sum : {1 / (pow(s, 6) - 1) + 1 / (pow(s, 4) - 1), a / (pow(s, 8) - 1) - 1 / (pow(s, 6) - 1),
+                        1 / (pow(s, 2) - 1) - 1 / (pow(s, 4) - 1) - 1 / (pow(s, 8) - 1)}) {
+    FractionSums sums(letters);
+    ex written = 0;  // divisors multiplied out
+    for (const ex& term : terms(sum)) {
+      const ex parts = term.numer_denom();
+      written += parts.op(0) / parts.op(1).expand();
+    }
+    expect_lowest_terms(written, sums.sum(sums.terms(written).value()), sums);
+  }
+}
+
+// What was taken apart before is taken apart further, wherever it is written.
+TEST_F(FactoredFractions, FactorsAreTakenApartInTurn) {
+  FractionSums sums(letters);
+  const ex three = 1 / ((a + b) * (a - b) * (a + c)).expand();
+  for (const ex& sum : {three + 1 / ((a - b) * (a + c)).expand(), three + 1 / (a + c), three + 1 / (a - b),
+                        three * a, three / (a + b)})
+    expect_lowest_terms(sum, sums.sum(sums.terms(sum).value()), sums);
+}
+
+TEST_F(FactoredFractions, DivisorsTooLongForWhatTheyHaveInCommonAreRefused) {
+  FractionSums sums(letters);
+  const ex s = a + b + c + g;
+  const FractionTerms sum = sums.terms(1 / (pow(s, 21) - 1).expand() + 1 / (pow(s, 15) - 1).expand()).value();
+  EXPECT_THROW(sums.sum(sum), PolynomialTooLarge);
+}
+
 TEST_F(FactoredFractions, RealAndImaginaryPartsAreApart) {
   FractionSums sums(letters);
   const ex sum = (a + 2 * GiNaC::I * b) * (3 - GiNaC::I) / (a - b) + GiNaC::I / c;
@@ -121,6 +152,23 @@ std::string local_spring(int modes, int degree) {
              "[[case]]\nname = \"c\"\nrelations = [\"Omega = w0 + eps^2*sigma\"]\norder = {{ f = 2, b = {}{} }}\n"
              "expand_to = 2\n",
              degree == 2 ? 1 : 2, order);
+}
+
+// 5*a - 4*b vanishes at a = 4, b = 5; of a zero nothing is a multiple.
+TEST_F(FactoredFractions, LumpsThatVanishAtAPointAreFound) {
+  for (const char* const force : {"c*a*b*(5*a-4*b)*x^3", "c*a*b*(b-a-1)*(5*a-4*b)*x^3", "c*a*b*(c-a)*(b-c)*x^3"}) {
+    const Model model = read_model_text(
+        fmt::format("schema = 1\nname = \"m\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w\"\n"
+                    "equation = \"D2(x) + w^2*x = -2*mu*D(x) - {} + e*F*cos(Omega*t)\"\n[[case]]\nname = \"c\"\n"
+                    "relations = [\"Omega = w + eps*sigma\"]\n"
+                    "order = {{ mu = 1, c = 1, a = 0, b = 0, e = 1 }}\nexpand_to = 1\n",
+                    force),
+        "model.toml");
+    const Derivation nominal = derive(model, model.find_case("c")),
+                     kept = derive(model, model.find_case("c"), OmegaPolicy::kept);
+    FractionSums sums(model.symbols.with_pi());
+    EXPECT_EQ(lump_equations(nominal, kept, sums).lumps.size(), 3U) << force;
+  }
 }
 
 TEST_F(FactoredFractions, LumpsOfThreeModesWithALocalSpringAreFound) {
