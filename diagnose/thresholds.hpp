@@ -64,6 +64,7 @@ struct DiagnoseThresholds {
   double decay_turns = 6;
   double driven_turns = 40;
   std::ptrdiff_t segment_samples = 48;
+  double zero_share = 0.25;
   double end_at_noise = 8;
   double wanted_samples = 24;
   double wanted_steps = 60;

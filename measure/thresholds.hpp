@@ -73,6 +73,9 @@ struct MeasureThresholds {
   double excitation_purity = 0.5;
   double level_tolerance = 0.2;
   double dwell_drift = 0.01;
+  double repeat_frequency = 1e-3;
+  double repeat_level = 0.1;
+  std::size_t halves_at_first = 7;
 };
 
 /// Those in use.

@@ -212,6 +212,17 @@ inline constexpr std::array measure_threshold_list = {
                                  "no draws: wrong units", "observe/dwell_observation.cpp"},
     Threshold<MeasureThresholds>{"dwell_drift", &MeasureThresholds::dwell_drift, ThresholdKind::tuned, "relative",
                                  "the same", "no record of the draws", "observe/dwell_observation.cpp"},
+    Threshold<MeasureThresholds>{"repeat_frequency", &MeasureThresholds::repeat_frequency, ThresholdKind::tuned,
+                                 "relative", "rows of a table with one label that differ by more are refused",
+                                 "no draws: that of a generator", "data/line_table.cpp"},
+    Threshold<MeasureThresholds>{"repeat_level", &MeasureThresholds::repeat_level, ThresholdKind::tuned, "relative",
+                                 "the same of their level", "no draws: a level that is controlled",
+                                 "data/line_table.cpp"},
+    Threshold<MeasureThresholds>{"halves_at_first", &MeasureThresholds::halves_at_first, ThresholdKind::tuned,
+                                 "half periods",
+                                 "of a swing that follows the largest excursion, beside one of which "
+                                 "a shorter one does not count",
+                                 "no record of the draws", "signal/free_decay.cpp"},
 };
 static_assert(sizeof(MeasureThresholds) == 8 * measure_threshold_list.size(), "each has its row");
 

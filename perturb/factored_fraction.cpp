@@ -32,12 +32,6 @@ GiNaC::numeric number(const cln::cl_RA& value) {
   return GiNaC::numeric(static_cast<const cln::cl_N&>(value));
 }
 
-std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
-  std::vector<std::size_t> result;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-  return result;
-}
-
 PrimeFieldComplex residue(const cln::cl_I& value) {
   if (cln::integer_length(value) < 62)
     return PrimeFieldComplex(static_cast<std::int64_t>(cln::cl_I_to_long(value)));
@@ -192,6 +186,12 @@ FractionTerms part_of(const FractionTerms& terms, cln::cl_RA FractionTerm::*part
 }
 
 }  // namespace
+
+std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+  std::vector<std::size_t> result;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  return result;
+}
 
 FractionTerms real_part(const FractionTerms& terms) {
   return part_of(terms, &FractionTerm::real);

@@ -141,6 +141,9 @@ class FractionPoint {
   std::vector<PrimeFieldComplex> divisors_, inverse_divisors_;  // as far as they were met
 };
 
+/// Both together; variables ascend.
+std::vector<std::size_t> united(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b);
+
 /// A polynomial in other variables, which contain its own.
 Polynomial in_variables(const Polynomial& polynomial, const std::vector<std::size_t>& own,
                         const std::vector<std::size_t>& variables);

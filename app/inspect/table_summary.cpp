@@ -18,7 +18,7 @@ void add_row(const Campaign& campaign, const LineRow& row, TableSummary& table) 
   const std::vector<std::size_t> excitation = channels_of(campaign, ChannelRole::excitation);
   double level = 0;
   for (const TableLine& line : row.lines) {
-    const std::string name = campaign.channels[line.channel].name + number_text(line.number);
+    const std::string name = campaign.channels[line.channel].name + line_suffix(line.number);
     if (std::find(table.lines.begin(), table.lines.end(), name) == table.lines.end()) table.lines.push_back(name);
     const bool drives = line.channel == excitation.front();
     if (drives && line.number == LineNumber{}) level = std::abs(line.amplitude);

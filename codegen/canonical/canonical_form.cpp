@@ -68,12 +68,7 @@ const std::vector<PolynomialTerm>& CanonicalForm::denominator(const std::vector<
   const auto [known, added] = denominators_.try_emplace({powers, divisors});
   if (added) {
     std::vector<std::size_t> variables;
-    for (const auto& [divisor, power] : divisors) {
-      std::vector<std::size_t> united;
-      std::set_union(variables.begin(), variables.end(), sums_.variables(divisor).begin(),
-                     sums_.variables(divisor).end(), std::back_inserter(united));
-      variables = std::move(united);
-    }
+    for (const auto& [divisor, power] : divisors) variables = united(variables, sums_.variables(divisor));
     known->second = listed(sums_.expanded(divisors, variables), variables, powers, 1);
   }
   return known->second;
@@ -95,10 +90,7 @@ RationalFunction CanonicalForm::of(const FactoredFraction& fraction) const {
       continue;
     }
     multiplying.emplace_back(divisor, -power);
-    std::vector<std::size_t> united;
-    std::set_union(variables.begin(), variables.end(), sums_.variables(divisor).begin(),
-                   sums_.variables(divisor).end(), std::back_inserter(united));
-    variables = std::move(united);
+    variables = united(variables, sums_.variables(divisor));
   }
   const Polynomial numerator = multiplying.empty()
                                    ? fraction.numerator

@@ -79,6 +79,11 @@ Eigen::VectorXd noise_of(const std::vector<LineEnsemble>& ensembles) {
 
 }  // namespace
 
+std::shared_ptr<const Torus> torus_of_turns(int divisor) {
+  constexpr Index turn_points = 255;
+  return std::make_shared<const Torus>(1, std::max(6, 4 * divisor), turn_points);
+}
+
 std::vector<Index> DwellReader::observable(const DwellLines& on, const Window& window) const {
   std::vector<Index> lines = {0};
   std::vector<double> taken = {0};

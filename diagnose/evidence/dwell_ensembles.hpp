@@ -36,6 +36,11 @@ struct DwellLines {
   }
 };
 
+/// Of a motion whose lines are multiples of 1/divisor of the excitation's frequency. An odd number of points over
+/// a turn: the corners of a force that is odd in the motion fall on twice as many places, and alias half as far
+/// from the lines that are looked at.
+std::shared_ptr<const Torus> torus_of_turns(int divisor);
+
 /// What one ensemble of a dwell shows.
 struct LineEnsemble {
   Eigen::MatrixXcd response;    ///< channel x observed line

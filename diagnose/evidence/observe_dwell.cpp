@@ -44,10 +44,6 @@ constexpr auto& fewest_samples = diagnose_thresholds().ensemble_samples;
 constexpr auto& largest_drift = diagnose_thresholds().largest_drift;
 constexpr auto& drift_alarm = diagnose_thresholds().drift_alarm;
 
-/// Points over a turn of a motion that is a multiple of one frequency. An odd number: the corners of a force that
-/// is odd in the motion fall on twice as many places, and alias half as far from the lines that are looked at.
-constexpr Index turn_points = 255;
-
 // (dB/dt)/B over the ensembles of a dwell by a straight line through ln(B/mean B); the chance that a motion which
 // stands still drifts as much, by the noise of the samples and by the scatter about that line, whichever is larger.
 struct AmplitudeDrift {
@@ -296,7 +292,7 @@ class DwellObserver {
       lines.base = {*low, omega_ - layout.excitation[0] * *low};
       lines.torus = std::make_shared<const Torus>(2, 3, 24);
     } else {
-      lines.torus = std::make_shared<const Torus>(1, std::max(6, 4 * layout.divisor), turn_points);
+      lines.torus = torus_of_turns(layout.divisor);
     }
     lines.fundamental = *lines.torus->find(layout.excitation);
     lines.observed = reader.observable(lines, context_.window);

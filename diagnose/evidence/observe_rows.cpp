@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <numeric>
 
 #include "diagnose/evidence/dwell_ensembles.hpp"
@@ -18,9 +17,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-/// As for dwells (observe_dwell.cpp), whose motion these rows are.
-constexpr Index points_of_a_turn = 255;
 
 LineNumber number_of(const DwellLines& lines, Index line) {
   const int over = lines.torus->phase(line)[0], common = std::max(1, std::gcd(over, lines.layout.divisor));
@@ -62,27 +58,22 @@ class RowsObserver {
     return std::nullopt;
   }
 
-  const TableLine* in_all(std::size_t channel, LineNumber number) const {
-    const TableLine* first = nullptr;
-    for (const auto& [record, row] : rows_) {
-      const TableLine* line = row->find(channel, number);
-      if (line == nullptr) return nullptr;
-      if (first == nullptr) first = line;
-    }
-    return first;
+  bool in_all(std::size_t channel, LineNumber number) const {
+    return std::all_of(rows_.begin(), rows_.end(),
+                       [&](const IndexedRow& row) { return row.second->find(channel, number) != nullptr; });
   }
 
   DwellLines lines_of(const LineLayout& layout) const {
     DwellLines lines;
     lines.layout = layout;
     lines.base = {omega_ / layout.divisor, 0};
-    lines.torus = std::make_shared<const Torus>(1, std::max(6, 4 * layout.divisor), points_of_a_turn);
+    lines.torus = torus_of_turns(layout.divisor);
     lines.fundamental = *lines.torus->find(layout.excitation);
     for (Index l = 0; l < lines.torus->lines(); ++l) {
       const LineNumber number = number_of(lines, l);
       if (!context_.window.passes(number.of(omega_))) continue;
       if (l == 0 && any_wanders(context_.wandering, context_.sensors.responses)) continue;
-      const auto there = [&](std::size_t channel) { return in_all(channel, number) != nullptr; };
+      const auto there = [&](std::size_t channel) { return in_all(channel, number); };
       const SensorModel& sensors = context_.sensors;
       if (std::all_of(sensors.responses.begin(), sensors.responses.end(), there)) lines.observed.push_back(l);
       if (std::all_of(sensors.excitations.begin(), sensors.excitations.end(), there)) lines.excitation.push_back(l);

@@ -36,7 +36,7 @@ constexpr auto& fewest_segment_samples = diagnose_thresholds().segment_samples;
 
 /// Of the lowest natural frequency, below which a zero moves: in a segment of six turns there are as many cosines
 /// of its course as terms before them, and four and a half bins between it and the motion.
-constexpr double slow_share = 0.25;
+constexpr auto& zero_share = diagnose_thresholds().zero_share;
 
 /// Into which a record's segments are dealt out in turn.
 constexpr int folds_of_a_record = 10;
@@ -160,7 +160,7 @@ class Cutter {
   Segment segment(const Movement& m, const Record& record, Index begin, Index length) const {
     Segment segment;
     segment.sample_s = 1 / m.thinned_rate();
-    segment.zeros_below_hz = slow_share * lowest_ / two_pi;
+    segment.zeros_below_hz = zero_share * lowest_ / two_pi;
     segment.substeps =
         std::max(1, static_cast<int>(std::ceil(wanted_steps * highest_ / two_pi / m.thinned_rate())));
     segment.response.resize(responses_, length);

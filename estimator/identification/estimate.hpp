@@ -68,7 +68,7 @@ struct LumpConsistency {
 struct UnstatedNoise {
   std::string resonance, mode;
   double sd = 0;                  ///< of a line's real part, peak, modal displacement
-  double degrees_of_freedom = 0;  ///< of what the model leaves of the rows; 0: it comes from repeats
+  double degrees_of_freedom = 0;  ///< of what the model leaves of the rows
   std::size_t rows = 0;           ///< of tables
 };
 

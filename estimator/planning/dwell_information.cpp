@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "estimator/model/block_frequency.hpp"
 #include "estimator/model/by_name.hpp"
 #include "numerics/hertz.hpp"
 
@@ -71,9 +72,8 @@ class Dwell {
     const double resolution = two_pi / noise_.ensemble_s, half_rate = 0.5 * two_pi * noise_.sample_rate_hz;
     for (const RegressorBlock& block : case_.blocks) {
       if (block.kind == BlockKind::modulation || !is_used(block)) continue;
-      double at = 0;
-      for (std::size_t i = 0; i < block.phase.size(); ++i)
-        at += block.phase[i] * (i < modes_ ? frequency_[i] : state_.frequency);
+      const double at =
+          block_frequency(block, [&](std::size_t i) { return i < modes_ ? frequency_[i] : state_.frequency; });
       if (std::abs(at) < 2 * resolution || std::abs(at) > half_rate) continue;
       const double sd = amplitude_sd(static_cast<std::size_t>(block.mode), std::abs(at));
       const MatrixXd rows = rows_of(block);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -23,33 +22,16 @@ namespace {
 /// Damaged rows that a warning lists.
 constexpr std::size_t most_listed_rows = 4;
 
-TableConvention convention_of_options(const TableOptions& options) {
-  TableConvention convention;
-  const auto choose = [](const char* option, const std::string& value, std::string first, std::string second) {
-    if (!value.empty() && value != first && value != second)
-      throw InputError(std::string(option) + " " + value, "", "is no convention",
-                       first + " or " + second + " was expected");
-    return value == second;
-  };
-  if (!options.amplitudes.empty()) {
-    const auto amplitude = parse_table_amplitude(options.amplitudes);
-    if (!amplitude)
-      throw InputError("--amplitudes " + options.amplitudes, "", "is no convention",
-                       std::string(table_amplitude_list) + " was expected");
-    convention.amplitude = *amplitude;
-  }
-  const bool degrees = choose("--phases", options.phases, "rad", "deg");
-  if (!options.phases.empty()) convention.degrees = degrees;
-  convention.lags = choose("--phase-sign", options.phase_sign, "lead", "lag");
-  convention.phase_offset_rad = options.phase_offset_deg.value_or(0) * std::numbers::pi / 180;
-  if (!std::isfinite(convention.phase_offset_rad))
+TableConvention convention_in(const TableOptions& options) {
+  if (!std::isfinite(options.phase_offset_deg.value_or(0)))
     throw InputError("--phase-offset", "", "is not finite", "degrees were expected");
-  convention.per_excitation = options.per_excitation;
-  convention.frequency_unit = options.frequency_unit;
-  if (!options.frequency_unit.empty() && !hertz_in(options.frequency_unit))
-    throw InputError("--frequency-unit " + options.frequency_unit, "", "is no unit of frequency",
-                     std::string(frequency_unit_list) + " was expected");
-  return convention;
+  return convention_of(
+      {options.amplitudes, options.phases, options.phase_sign, options.frequency_unit,
+       options.phase_offset_deg.value_or(0), options.per_excitation},
+      [](std::string word, const std::string& is, const std::string& wrong, const std::string& expected) {
+        std::replace(word.begin(), word.end(), '_', '-');
+        throw InputError("--" + word + " " + is, "", wrong, expected);
+      });
 }
 
 std::map<std::string, std::string> columns_given(const std::vector<std::string>& options) {
@@ -137,7 +119,7 @@ ImportedCampaign import_tables(const ImportOptions& options, const TableSink& si
         "--time, --sample-rate, --ensemble, --frequency", "", "say something of samples",
         "a table of lines has none: leave them out; its frequencies are a column (--column f=VARIABLE)");
   TableRequest request;
-  request.convention = convention_of_options(options.table);
+  request.convention = convention_in(options.table);
   request.words = {"write --phases deg or --phases rad", "name it with --column {}=VARIABLE",
                    "write --level LEVEL, in the unit of its channel: one for all files or one for each",
                    std::string("write --frequency-unit with ") + frequency_unit_list};

@@ -17,6 +17,7 @@
 #include "measure/formats/number_table.hpp"
 #include "measure/formats/uff_frf.hpp"
 #include "measure/formats/unit.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -30,9 +31,9 @@ constexpr const char* joints[] = {".", "_", " "};
 /// Names of the column of frequencies, where none is given.
 constexpr const char* frequency_names[] = {"f", "freq", "frequency", "Freq", "Frequency"};
 
-/// Relative, within which repeats of a setting are the same: that of a generator's frequency, and a level that is
-/// measured or controlled.
-constexpr double same_frequency = 1e-3, same_level = 0.1;
+/// Relative, within which repeats of a setting are the same.
+constexpr auto& same_frequency = measure_thresholds().repeat_frequency;
+constexpr auto& same_level = measure_thresholds().repeat_level;
 
 /// No line of a higher multiple, and none of a smaller part, is read: a longer number is no line's.
 constexpr int largest_multiple = 999;
@@ -202,7 +203,7 @@ class TableReader {
 
   // Column of a part of a line ("", "phase", "re", ...); empty: none.
   std::string part_of(const TableChannel& channel, LineNumber number, const std::string& part) {
-    const std::string of_line = number_text(number);
+    const std::string of_line = line_suffix(number);
     if (const auto given = named(channel.name + of_line + (part.empty() ? "" : "." + part))) return *given;
     std::vector<std::string> candidates;
     for (const std::string& base : bases_of(channel)) {
@@ -232,7 +233,7 @@ class TableReader {
     const bool drives = channel.role == ChannelRole::excitation;
     for (const LineNumber number : numbers_of(channel)) {
       LineSource source{c, number, "", "", "", "", "", ""};
-      const std::string name = channel.name + number_text(number);
+      const std::string name = channel.name + line_suffix(number);
       source.real = part_of(channel, number, "re");
       source.imaginary = part_of(channel, number, "im");
       if (source.real.empty() != source.imaginary.empty())
@@ -384,7 +385,7 @@ class TableReader {
 
   // As the table has it: amplitude and phase in SI units, peak; nothing where the row has no such number.
   std::optional<TableLine> line_at(const LineSource& source, std::size_t row) const {
-    const std::string name = request_.channels[source.channel].name + number_text(source.number);
+    const std::string name = request_.channels[source.channel].name + line_suffix(source.number);
     const bool mean = source.number.is_mean();
     TableLine line{source.channel, source.number, {}, std::nullopt};
     const TableConvention& convention = request_.convention;
@@ -438,7 +439,7 @@ class TableReader {
     std::set<std::size_t> there;
     for (const LineSource& source : sources_) {
       const auto line = line_at(source, i);
-      const std::string name = request_.channels[source.channel].name + number_text(source.number);
+      const std::string name = request_.channels[source.channel].name + line_suffix(source.number);
       if (!line) {
         if (source.number == LineNumber{}) return damaged(name + " is no number");
         continue;
@@ -499,11 +500,30 @@ class TableReader {
 
 }  // namespace
 
-std::optional<TableConvention::Amplitude> parse_table_amplitude(const std::string& text) {
-  if (text == "peak") return TableConvention::Amplitude::peak;
-  if (text == "rms") return TableConvention::Amplitude::rms;
-  if (text == "peak_to_peak") return TableConvention::Amplitude::peak_to_peak;
-  return std::nullopt;
+TableConvention convention_of(const ConventionWords& words, const RefuseWord& refuse) {
+  TableConvention convention;
+  const auto is_one = [&](const char* word, const std::string& is, const std::string& first,
+                          const std::string& second) {
+    if (!is.empty() && is != first && is != second)
+      refuse(word, is, "is no convention", first + " or " + second + " was expected");
+    return is == second;
+  };
+  if (words.amplitudes == "rms")
+    convention.amplitude = TableConvention::Amplitude::rms;
+  else if (words.amplitudes == "peak_to_peak")
+    convention.amplitude = TableConvention::Amplitude::peak_to_peak;
+  else if (!words.amplitudes.empty() && words.amplitudes != "peak")
+    refuse("amplitudes", words.amplitudes, "is no convention", "peak, rms or peak_to_peak was expected");
+  const bool degrees = is_one("phases", words.phases, "rad", "deg");
+  if (!words.phases.empty()) convention.degrees = degrees;
+  convention.lags = is_one("phase_sign", words.phase_sign, "lead", "lag");
+  convention.phase_offset_rad = words.phase_offset_deg * std::numbers::pi / 180;
+  convention.per_excitation = words.per_excitation;
+  convention.frequency_unit = words.frequency_unit;
+  if (!words.frequency_unit.empty() && !hertz_in(words.frequency_unit))
+    refuse("frequency_unit", words.frequency_unit, "is no unit of frequency",
+           std::string(frequency_unit_list) + " was expected");
+  return convention;
 }
 
 std::optional<double> hertz_in(const std::string& unit) {
@@ -514,7 +534,7 @@ std::optional<double> hertz_in(const std::string& unit) {
   return std::nullopt;
 }
 
-std::string number_text(LineNumber number) {
+std::string line_suffix(LineNumber number) {
   if (number == LineNumber{}) return "";
   if (number.divisor == 1) return fmt::format("@{}", number.numerator);
   return fmt::format("@{}/{}", number.numerator, number.divisor);
@@ -545,7 +565,7 @@ TableColumns columns_of(const std::vector<LineRow>& rows, const std::vector<Chan
     }
   for (const auto& key : lines) {
     const auto& [channel, number] = key;
-    const std::string name = channels[channel].name + number_text(number);
+    const std::string name = channels[channel].name + line_suffix(number);
     const auto put = [&, channel = channel, number = number](const char* part, const auto& of) {
       column(name + part, [&, none](const LineRow& row) {
         const TableLine* line = row.find(channel, number);

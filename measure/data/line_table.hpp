@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,8 +26,18 @@ struct TableConvention {
   std::string frequency_unit{};  ///< Hz, kHz, rad/s or 1/min
 };
 
-std::optional<TableConvention::Amplitude> parse_table_amplitude(const std::string& text);
-inline constexpr const char* table_amplitude_list = "peak, rms or peak_to_peak";
+/// The same as a person says it; an empty text says nothing.
+struct ConventionWords {
+  std::string amplitudes{}, phases{}, phase_sign{}, frequency_unit{};
+  double phase_offset_deg = 0;
+  bool per_excitation = false;
+};
+/// Ends with an error of its own: which word ("phase_sign"), what it is, what is wrong with it, what was expected.
+using RefuseWord = std::function<void(const std::string& word, const std::string& is, const std::string& wrong,
+                                      const std::string& expected)>;
+/// Without a level.
+TableConvention convention_of(const ConventionWords& words, const RefuseWord& refuse);
+
 inline constexpr const char* frequency_unit_list = "Hz, kHz, rad/s or 1/min";
 /// Hz in a unit of frequency; nothing for another unit.
 std::optional<double> hertz_in(const std::string& unit);
@@ -75,7 +86,7 @@ struct TableColumns {
 TableColumns columns_of(const std::vector<LineRow>& rows, const std::vector<Channel>& channels);
 
 /// "@1/2"; nothing for the line at Omega.
-std::string number_text(LineNumber number);
+std::string line_suffix(LineNumber number);
 
 /// The row with the base's acceleration taken out of the responses that are absolute (Channel::frame).
 LineRow relative_to_base(const Campaign& campaign, LineRow row);

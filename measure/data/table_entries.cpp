@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -11,27 +10,21 @@
 namespace secular {
 namespace {
 
-TableConvention convention_of(const TomlTable& table, const RecordEntry& entry) {
-  TableConvention convention;
-  const auto choice = [&](const char* key, const char* usual) { return table.string_or(key, usual); };
-  const auto amplitude = parse_table_amplitude(choice("amplitudes", "peak"));
-  if (!amplitude)
-    table.fail("amplitudes", "is '" + table.string("amplitudes") + "'",
-               std::string(table_amplitude_list) + " was expected");
-  convention.amplitude = *amplitude;
-  if (const std::string phases = choice("phases", ""); !phases.empty()) {
-    if (phases != "rad" && phases != "deg") table.fail("phases", "is '" + phases + "'", "rad or deg was expected");
-    convention.degrees = phases == "deg";
-  }
-  const std::string sign = choice("phase_sign", "lead");
-  if (sign != "lead" && sign != "lag") table.fail("phase_sign", "is '" + sign + "'", "lead or lag was expected");
-  convention.lags = sign == "lag";
-  convention.phase_offset_rad = table.optional_number("phase_offset_deg").value_or(0) * std::numbers::pi / 180;
-  convention.per_excitation = table.boolean_or("per_excitation", false);
-  convention.frequency_unit = choice("frequency_unit", "");
-  if (table.has("frequency_unit") && !hertz_in(convention.frequency_unit))
-    table.fail("frequency_unit", "is '" + convention.frequency_unit + "'",
-               std::string(frequency_unit_list) + " was expected");
+TableConvention convention_in(const TomlTable& table, const RecordEntry& entry) {
+  const auto said = [&](const char* key) {
+    if (table.has(key) && table.string(key).empty()) table.fail(key, "is ''", "a word, or no such line");
+    return table.string_or(key, "");
+  };
+  const ConventionWords words{said("amplitudes"),
+                              said("phases"),
+                              said("phase_sign"),
+                              said("frequency_unit"),
+                              table.optional_number("phase_offset_deg").value_or(0),
+                              table.boolean_or("per_excitation", false)};
+  TableConvention convention = convention_of(
+      words, [&](const std::string& word, const std::string& is, const std::string&, const std::string& expected) {
+        table.fail(word.c_str(), "is '" + is + "'", expected);
+      });
   convention.level = entry.excitation_amplitude;
   return convention;
 }
@@ -51,7 +44,7 @@ std::vector<RecordEntry> table_entries(const TomlTable& table, const Campaign& c
                                      [&, &part = part](const Channel& c) { return c.name == part; });
     if (!channel) request.columns.emplace(part, variable);
   }
-  request.convention = convention_of(table, entry);
+  request.convention = convention_in(table, entry);
   request.words = {"write phases = \"deg\" or \"rad\" in its [[record]] of campaign.toml",
                    "name it in its [[record]] of campaign.toml: variables = {{ \"{}\" = \"...\" }}",
                    "write excitation_amplitude = LEVEL in its [[record]] of campaign.toml",

@@ -10,8 +10,8 @@ struct Line {
   double frequency_hz = 0;
   double amplitude = 0;  ///< peak
   bool steady = false;   ///< as large in the second half of the record as in the first, as far as noise lets see
-  double first_half = 0, second_half = 0,
-         half_sd = 0;  ///< how large there, in one unit, and what noise makes of it
+  double first_half = 0, second_half = 0;  ///< how large there, in one unit
+  double half_sd = 0;                      ///< what noise makes of these
 };
 
 /// Bins of the transform on either side of a line that its main lobe takes under the window that lines are found

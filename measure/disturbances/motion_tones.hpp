@@ -40,9 +40,10 @@ class MotionTones {
   bool has_weak_partner(double frequency_hz, double of_hz) const;
 
   const SearchedRecord& record_;
-  double rate_ = 0, tolerance_ = 0, change_ = 1;  // the last: of a decay's size between halves
-  bool forced_ = false;                           // a dwell
-  bool decays_ = false;                           // swings freely: no subharmonics
+  double rate_ = 0, tolerance_ = 0;
+  double change_ = 1;               // of a decay's size between halves
+  bool forced_ = false;             // a dwell
+  bool decays_ = false;             // swings freely: no subharmonics
   std::vector<double> generators_;  // excitation frequencies of a dwell, the strongest line of a decay
   std::vector<double> excited_;     // other records: lines of the excitation
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "estimator/model/block_frequency.hpp"
 #include "estimator/model/zero_frequency.hpp"
 
 namespace secular {
@@ -31,13 +32,10 @@ TabledTones::TabledTones(const LineRow& row, const Case& of, const std::vector<d
       channels_(channels),
       window_(window),
       mode_frequency_(of.modes.observed(Eigen::VectorXd(0), excitation)) {
-  for (const RegressorBlock& block : of.resonance.blocks) {
-    double sum = 0;
-    for (std::size_t i = 0; i < block.phase.size(); ++i)
-      sum += block.phase[i] *
-             (i < of.model.modes() ? mode_frequency_(static_cast<Index>(i)) : excitation[i - of.model.modes()]);
-    block_frequency_.push_back(sum);
-  }
+  for (const RegressorBlock& block : of.resonance.blocks)
+    block_frequency_.push_back(block_frequency(block, [&](std::size_t i) {
+      return i < of.model.modes() ? mode_frequency_(static_cast<Index>(i)) : excitation[i - of.model.modes()];
+    }));
   std::vector<double> needed;
   for (std::size_t k = 0; k < of.model.modes(); ++k)
     if (of.modes.oscillates[k]) needed.push_back(frequency_of_mode(k));

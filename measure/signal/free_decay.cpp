@@ -43,9 +43,13 @@ std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level,
 /// needs, and one in three to spare.
 constexpr Index shortest_window = 16;
 
-/// Half periods that follow the largest excursion. Two turns are what a tone is fitted over; a swing of four is
-/// looked for in both directions before one of two is taken for it.
-constexpr std::size_t fewest_halves = 4, halves_at_first = 7;
+/// Half periods that follow the largest excursion: two turns are what a tone is fitted over; a longer swing is
+/// looked for in both directions before so short a one is taken for it.
+constexpr std::size_t fewest_halves = 4;
+constexpr auto& halves_at_first = measure_thresholds().halves_at_first;
+
+/// Of the largest excursion, what counts as large as that.
+constexpr double as_large = 0.99;
 
 /// Samples in half a turn: three harmonics lie below half the sample rate. Noise crosses its level every other
 /// sample.
@@ -77,8 +81,13 @@ double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double ra
 
 namespace {
 
-std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& samples, double rate,
-                                              std::size_t halves_wanted) {
+// A swing that follows the largest excursion, for so many half periods.
+struct Swing {
+  DecayStart start;
+  std::size_t halves = 0;
+};
+
+std::optional<Swing> decay_after_release(const Eigen::Ref<const VectorXd>& samples, double rate) {
   if (samples.size() < 64) return std::nullopt;
   // A first level from the last quarter, where the motion is small; the whole-record mean would be pulled by a
   // hold.
@@ -89,10 +98,10 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
   if (largest <= 0) return std::nullopt;
   Index last_large = 0;
   for (Index i = 0; i < samples.size(); ++i)
-    if (std::abs(samples(i) - level) >= 0.99 * largest) last_large = i;
+    if (std::abs(samples(i) - level) >= as_large * largest) last_large = i;
   const std::vector<double> zeros =
       crossings(samples, level, measure_thresholds().zero_level * largest, last_large);
-  if (zeros.size() <= halves_wanted) return std::nullopt;
+  if (zeros.size() <= fewest_halves) return std::nullopt;
   std::vector<double> halves;
   for (std::size_t i = 0; i + 1 < std::min<std::size_t>(zeros.size(), 13); ++i)
     halves.push_back(zeros[i + 1] - zeros[i]);
@@ -122,7 +131,7 @@ std::optional<DecayStart> decay_after_release(const Eigen::Ref<const VectorXd>& 
   }
   const auto start = static_cast<Index>(std::ceil(zeros[first]));
   if (start + window > samples.size()) return std::nullopt;
-  return DecayStart{start, decomposed_frequency(samples.segment(start, window), rate, frequency)};
+  return Swing{{start, decomposed_frequency(samples.segment(start, window), rate, frequency)}, zeros.size() - 1};
 }
 
 // A short swing whose largest excursions lie in its first turn and in its last one: over many turns no structure
@@ -134,7 +143,7 @@ std::optional<DecayStart> swing_that_keeps_its_size(const Eigen::Ref<const Vecto
   if (zeros.size() <= fewest_halves || zeros.size() > 2 * halves_at_first) return std::nullopt;
   const double half = (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
   const auto turn = static_cast<Index>(2 * half);
-  const auto reaches = [&](const auto& part) { return ((part.array() - level).abs() >= 0.99 * largest).any(); };
+  const auto reaches = [&](const auto& part) { return ((part.array() - level).abs() >= as_large * largest).any(); };
   if (half <= shortest_half || !reaches(samples.head(turn)) || !reaches(samples.tail(turn))) return std::nullopt;
   const Index window = std::min(samples.size(), std::max(2 * turn, shortest_window));
   return DecayStart{0, decomposed_frequency(samples.head(window), rate, std::numbers::pi * rate / half)};
@@ -143,13 +152,13 @@ std::optional<DecayStart> swing_that_keeps_its_size(const Eigen::Ref<const Vecto
 }  // namespace
 
 std::optional<DecayStart> find_decay_start(const Eigen::Ref<const VectorXd>& samples, double rate) {
+  const auto released = decay_after_release(samples, rate);
+  if (released && released->halves >= halves_at_first) return released->start;
+  // A motion that grows to its largest excursion is a decay backwards, and free from the record's first sample on.
   const VectorXd backwards = samples.reverse();
-  for (const std::size_t halves : {halves_at_first, fewest_halves}) {
-    if (const auto released = decay_after_release(samples, rate, halves)) return released;
-    // A motion that grows to its largest excursion is a decay backwards, and free from the record's first sample
-    // on.
-    if (const auto grown = decay_after_release(backwards, rate, halves)) return DecayStart{0, grown->frequency};
-  }
+  const auto grown = decay_after_release(backwards, rate);
+  if (released && !(grown && grown->halves >= halves_at_first)) return released->start;
+  if (grown) return DecayStart{0, grown->start.frequency};
   return swing_that_keeps_its_size(samples, rate);
 }
 

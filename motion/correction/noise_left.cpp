@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "estimator/model/zero_frequency.hpp"
 #include "input/input_error.hpp"
 #include "measure/observe/modal_projection.hpp"
+#include "measure/observe/observed_blocks.hpp"
 
 namespace secular {
 namespace {
@@ -90,11 +90,9 @@ class UnstatedLevels {
                                 2 * of_mode_[k], freedom_, unknown_rows(set_)};
       estimate.warnings.push_back(fmt::format(
           "case {}: {} rows of tables do not say their standard deviations: a line of {} is taken to scatter by "
-          "{:.3g} "
-          "in its real and its imaginary part, {:.2g} % of the largest, as the model leaves them ({:.0f} degrees "
-          "of "
-          "freedom). Whether the equations hold cannot be judged by that, and errors of the level are taken as "
-          "none",
+          "{:.3g} in its real and its imaginary part, {:.2g} % of the largest, as the model leaves them ({:.0f} "
+          "degrees of freedom). Whether the equations hold cannot be judged by that, and errors of the level are "
+          "taken as none",
           noise.resonance, noise.rows, noise.mode, noise.sd,
           100 * of_mode_[k] * rounding_of_tables / std::max(least_[k], 1e-300), noise.degrees_of_freedom));
       estimate.unstated_noise.push_back(noise);
@@ -118,11 +116,7 @@ class UnstatedLevels {
   }
 
   double frequency_of(std::size_t b, const Observation& o) const {
-    const RegressorBlock& block = set_.resonance->blocks[b];
-    double sum = 0;
-    for (std::size_t i = 0; i < block.phase.size(); ++i)
-      sum += block.phase[i] * (i < o.rate.size() ? o.rate[i].imag() : o.excitation_frequency[i - o.rate.size()]);
-    return is_zero_frequency(block) ? 0 : std::abs(sum);
+    return std::abs(block_frequency(set_.resonance->blocks[b], o));
   }
 
   ObservationSet& set_;
@@ -131,19 +125,18 @@ class UnstatedLevels {
   double freedom_ = 0;
 };
 
-}  // namespace
-
 // What a model leaves of rows whose noise is known and of others together is the noise of neither.
 void leave_out_beside_known(ObservationSet& set, std::vector<std::string>& warnings) {
   const std::size_t unknown = unknown_rows(set);
   if (unknown == 0 || unknown == set.observations.size()) return;
   std::erase_if(set.observations, [](const Observation& o) { return !o.noise_known; });
-  warnings.push_back(
-      fmt::format("case {}: {} rows of tables do not say their standard deviations, left out beside {} "
-                  "observations whose noise "
-                  "is known; add columns CHANNEL.sd, or leave the others out with --records",
-                  set.resonance->name, unknown, set.observations.size()));
+  warnings.push_back(fmt::format(
+      "case {}: {} rows of tables do not say their standard deviations, left out beside {} "
+      "observations whose noise is known; add columns CHANNEL.sd, or leave the others out with --records",
+      set.resonance->name, unknown, set.observations.size()));
 }
+
+}  // namespace
 
 CorrectedEstimate estimate_with_noise_left(std::vector<ObservationSet>& sets, const EstimateTask& task) {
   std::vector<UnstatedLevels> levels;
@@ -153,24 +146,17 @@ CorrectedEstimate estimate_with_noise_left(std::vector<ObservationSet>& sets, co
     if (unknown_rows(set) > 0) levels.emplace_back(set, modal_projection(task.campaign, *set.model).derivatives);
   }
   CorrectedEstimate result = estimate_corrected(sets, task);
-  const auto warn = [&] {
-    result.estimate.warnings.insert(result.estimate.warnings.end(), warnings.begin(), warnings.end());
-  };
-  if (levels.empty()) {
-    warn();
-    return result;
-  }
   double change = 0;
-  for (int round = 0; round < most_noise_rounds; ++round) {
+  for (int round = 0; round < most_noise_rounds && !levels.empty(); ++round) {
     change = 0;
     for (UnstatedLevels& of_set : levels) change = std::max(change, of_set.take(result.estimate));
     if (round > 0 && change < same_noise) break;
     result = estimate_corrected(sets, task);
   }
-  warn();
   if (!(change < same_noise))
-    result.estimate.warnings.push_back(fmt::format(
+    warnings.push_back(fmt::format(
         "noise of rows that do not say it is not settled: it still moves by {:.0f} % a round", 100 * change));
+  result.estimate.warnings.insert(result.estimate.warnings.end(), warnings.begin(), warnings.end());
   for (const UnstatedLevels& of_set : levels) of_set.note(result.estimate);
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include "estimator/identification/predicted_harmonics.hpp"
 #include "estimator/model/zero_frequency.hpp"
+#include "measure/observe/observed_blocks.hpp"
 
 namespace secular {
 namespace {
@@ -29,12 +30,7 @@ OscillationState with_expansion(const CompiledModel& model, const CompiledCase& 
       state.displacement[k] += predicted[b].real();
       continue;
     }
-    double frequency = 0;
-    for (std::size_t i = 0; i < block.phase.size(); ++i)  // a decay has no excitation, and no phase of one
-      if (block.phase[i] != 0)
-        frequency +=
-            block.phase[i] * (i < model.modes() ? o.rate[i].imag() : o.excitation_frequency[i - model.modes()]);
-    add(predicted[b], Complex(0, frequency), time, k, state);
+    add(predicted[b], Complex(0, block_frequency(block, o)), time, k, state);
   }
   return state;
 }
