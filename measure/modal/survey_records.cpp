@@ -40,10 +40,6 @@ void choose_channels(ModalSurvey& survey) {
 // Rows without which a decay is too short.
 constexpr Index least_rows = 48;
 
-// Rows of a decay that are kept: more than a realization takes, since poles are held against noise over all of
-// them, and few enough that some decays of many channels fit into memory and a fit of them into a second.
-constexpr Index most_rows = 8192;
-
 // Rows in which the structure is on its own.
 struct FreeRows {
   Index begin = 0, end = 0;
@@ -111,8 +107,8 @@ struct SurveyRecords::Part {
 
 SurveyRecords::~SurveyRecords() = default;
 
-SurveyRecords::SurveyRecords(ModalSurvey& survey)
-    : survey_(survey), reader_(survey.campaign, {}, treatments_of(survey.campaign)) {
+SurveyRecords::SurveyRecords(ModalSurvey& survey, ShortDecays too_short)
+    : survey_(survey), too_short_(too_short), reader_(survey.campaign, {}, treatments_of(survey.campaign)) {
   choose_channels(survey);
   const Campaign& campaign = survey.campaign;
   for (std::size_t c = 0; c < campaign.channels.size() && !force_; ++c)
@@ -125,14 +121,10 @@ SurveyRecords::SurveyRecords(ModalSurvey& survey)
     if (entry.kind == RecordKind::impact && force_) {
       struck.push_back(r);
     } else if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
-      decays_.push_back({r, 0, 0, false, {}});
-      const SurveyDecay& whole = decay(decays_.size() - 1);
-      const Index kept = std::min<Index>(whole.samples.rows(), most_rows);
-      decays_.back() = {r, whole.samples.rows(), whole.sample_rate_hz, whole.to_the_end,
-                        whole.to_the_end ? whole.samples.bottomRows(kept) : whole.samples.topRows(kept)};
+      keep_decay(r);
     }
   }
-  if (struck.empty() && decays_.empty())
+  if (struck.empty() && decays_.empty() && too_short == ShortDecays::refused)
     throw InputError(
         toml_of(survey), "[[record]]", "none of the records is of kind free_decay or impact",
         std::any_of(campaign.records.begin(), campaign.records.end(),
@@ -171,30 +163,44 @@ const SurveyRecords::Part& SurveyRecords::part(std::size_t r) {
   return *part_;
 }
 
-SurveyDecay SurveyRecords::cut_decay(std::size_t r) {
+// Nothing where too short ones are left out.
+std::optional<SurveyDecay> SurveyRecords::cut_decay(std::size_t r) {
   const RecordEntry& entry = survey_.campaign.records[r];
   const Part& whole = part(r);
   const Index factor = decimation_factor(whole.rate, survey_.options.highest_hz);
   const FreeRows free = free_rows(whole.responses, entry.kind == RecordKind::impact, whole.rate);
-  const auto too_short = [&] {
-    return InputError((survey_.campaign.folder / entry.file).string(), "",
-                      fmt::format("swings freely from {:.4g} s to {:.4g} s, too short for this band",
-                                  whole.start_s + static_cast<double>(free.begin) / whole.rate,
-                                  whole.start_s + static_cast<double>(free.end) / whole.rate),
-                      "give a longer record, an earlier --from or a higher --band");
+  const auto is_too_short = [&]() -> std::optional<SurveyDecay> {
+    if (too_short_ == ShortDecays::left_out) return std::nullopt;
+    throw InputError((survey_.campaign.folder / entry.file).string(), "",
+                     fmt::format("swings freely from {:.4g} s to {:.4g} s, too short for this band",
+                                 whole.start_s + static_cast<double>(free.begin) / whole.rate,
+                                 whole.start_s + static_cast<double>(free.end) / whole.rate),
+                     "give a longer record, an earlier --from or a higher --band");
   };
-  if (free.end - free.begin < std::max(64 * factor, fewest_to_decimate(factor))) throw too_short();
+  if (free.end - free.begin < std::max(64 * factor, fewest_to_decimate(factor))) return is_too_short();
   Decimated slow = decimate(whole.responses.middleRows(free.begin, free.end - free.begin), whole.rate, factor);
-  if (slow.samples.rows() < least_rows) throw too_short();
-  return {whole.start_s + static_cast<double>(free.begin + slow.first) / whole.rate, free.to_the_end,
-          std::move(slow.samples), slow.sample_rate_hz};
+  if (slow.samples.rows() < least_rows) return is_too_short();
+  return SurveyDecay{whole.start_s + static_cast<double>(free.begin + slow.first) / whole.rate, free.to_the_end,
+                     std::move(slow.samples), slow.sample_rate_hz};
+}
+
+void SurveyRecords::keep_decay(std::size_t r) {
+  decay_at_.reset();
+  std::optional<SurveyDecay> whole = cut_decay(r);
+  part_.reset();
+  if (!whole) return;
+  decay_ = std::move(*whole);
+  decay_at_ = decays_.size();
+  const Index kept = std::min<Index>(decay_.samples.rows(), most_decay_rows);
+  decays_.push_back({r, decay_.samples.rows(), decay_.sample_rate_hz, decay_.to_the_end,
+                     decay_.to_the_end ? decay_.samples.bottomRows(kept) : decay_.samples.topRows(kept)});
 }
 
 const SurveyDecay& SurveyRecords::decay(std::size_t i) {
   if (decay_at_ != i) {
     decay_at_.reset();
     decay_ = {};
-    decay_ = cut_decay(decays_[i].record);
+    decay_ = cut_decay(decays_[i].record).value();
     decay_at_ = i;
     part_.reset();
   }
@@ -250,7 +256,7 @@ void SurveyRecords::keep_swing(const Part& part, const std::string& group, Index
   const Index factor = decimation_factor(part.rate, survey_.options.highest_hz);
   const MatrixXd swing = part.responses.middleRows(left, end - left);
   const Decimated slow = decimate(swing, part.rate, end - left < 2 * least_rows * factor ? 1 : factor);
-  const Index kept = std::min<Index>(slow.samples.rows(), most_rows);
+  const Index kept = std::min<Index>(slow.samples.rows(), most_decay_rows);
   swings_.push_back({group, slow.sample_rate_hz, slow.samples.topRows(kept)});
 }
 

@@ -21,6 +21,10 @@ struct SurveyDecay {
   double sample_rate_hz = 0;
 };
 
+/// Rows of a decay that are kept: more than a realization takes, since poles are held against noise over all of
+/// them, and few enough that some decays of many channels fit into memory and a fit of them into a second.
+inline constexpr Eigen::Index most_decay_rows = 8192;
+
 /// What is kept of a decay while others are looked at.
 struct DecaySummary {
   std::size_t record = 0;
@@ -48,6 +52,9 @@ struct SurveyImpacts {
   std::vector<ImpactPlace> places;
 };
 
+/// What becomes of a decay that is too short for the survey's band.
+enum class ShortDecays { refused, left_out };
+
 /// The file that faults of a survey's channels stand in.
 std::string toml_of(const ModalSurvey& survey);
 
@@ -57,7 +64,7 @@ class SurveyRecords {
  public:
   /// Reads the records that the options choose once. Fills channels, form, unit and warnings of the survey, which
   /// must outlive this. Throws InputError.
-  explicit SurveyRecords(ModalSurvey& survey);
+  explicit SurveyRecords(ModalSurvey& survey, ShortDecays too_short = ShortDecays::refused);
   ~SurveyRecords();
   SurveyRecords(const SurveyRecords&) = delete;
   SurveyRecords& operator=(const SurveyRecords&) = delete;
@@ -78,11 +85,13 @@ class SurveyRecords {
  private:
   struct Part;
   const Part& part(std::size_t record);
-  SurveyDecay cut_decay(std::size_t record);
+  std::optional<SurveyDecay> cut_decay(std::size_t record);
+  void keep_decay(std::size_t record);
   void find_places(const std::vector<std::size_t>& records);
   void keep_swing(const Part& part, const std::string& group, Eigen::Index begin, Eigen::Index end);
 
   ModalSurvey& survey_;
+  ShortDecays too_short_;
   WatchedReader reader_;
   std::optional<std::size_t> force_;  // channel
   std::vector<DecaySummary> decays_;

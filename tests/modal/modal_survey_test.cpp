@@ -12,6 +12,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/modal/modal_mass.hpp"
+#include "measure/modal/survey_bands.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/modal/structure_campaign.hpp"
 #include "tests/process_folder.hpp"
@@ -205,6 +206,72 @@ TEST_F(ModalSurveyOf, SaysWhatDoesNotFit) {
   options = {};
   options.window_s = 100;
   EXPECT_NE(fault(options).find("does not fit"), std::string::npos) << fault(options);
+}
+
+// Sampled fast and long: of a slow mode the first thousand rows hold two turns, and all modes are found as they are
+// from records of their own bands.
+TEST_F(ModalSurveyOf, SlowModesOfLongRecordsThatAreSampledFast) {
+  constexpr double rate = 10240, noise = 0.01;
+  struct Swing {
+    double hz, damping, size;
+  };
+  const std::vector<Swing> swings = {{12, 0.006, 3}, {95, 0.002, 10}, {402, 0.002, 4}, {2200, 0.001, 8}};
+  CampaignData data{testing_support::empty_campaign(rate, false), {}};
+  testing_support::Gaussian gaussian(5);
+  Record record;
+  record.sample_rate_hz = rate;
+  record.channels.assign(3, {});
+  for (int i = 0; i < 40960; ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      double x = noise * gaussian();
+      for (std::size_t m = 0; m < swings.size(); ++m) {
+        const double omega = 2 * std::numbers::pi * swings[m].hz, t = i / rate;
+        const double shape = std::cos(1.0 + 1.3 * static_cast<double>(m * (c + 1)));
+        x += shape * swings[m].size * std::exp(-swings[m].damping * omega * t) *
+             std::cos(std::sqrt(1 - swings[m].damping * swings[m].damping) * omega * t);
+      }
+      record.channels[c].push_back(x);
+    }
+  data.samples.push_back(record);
+  RecordEntry entry;
+  entry.file = "records/decay.csv";
+  entry.kind = RecordKind::free_decay;
+  data.campaign.records.push_back(entry);
+  write(data);
+  const ModalSurvey survey = modal_survey(folder, {});
+  ASSERT_EQ(survey.modes.size(), swings.size());
+  for (std::size_t m = 0; m < swings.size(); ++m) {
+    const SurveyMode& mode = survey.modes[m];
+    EXPECT_NEAR(mode.natural_frequency_hz, swings[m].hz, 4 * mode.natural_frequency_sd_hz) << m;
+    EXPECT_NEAR(mode.damping_ratio, swings[m].damping, 4 * mode.damping_ratio_sd) << m;
+    EXPECT_LT(mode.natural_frequency_sd_hz, 1e-3 * swings[m].hz) << m;
+  }
+  for (const ModeWindow& window : survey.windows) {
+    const double hz = swings[static_cast<std::size_t>(window.mode)].hz;
+    EXPECT_NEAR(std::abs(window.pole) / (2 * std::numbers::pi), hz, 0.05 * hz);
+  }
+  ModalSurveyOptions two;
+  two.modes = 2;
+  const ModalSurvey strongest = modal_survey(folder, two);
+  ASSERT_EQ(strongest.modes.size(), 2u);
+  EXPECT_NEAR(strongest.modes[0].natural_frequency_hz, 95, 1);
+  EXPECT_NEAR(strongest.modes[1].natural_frequency_hz, 2200, 1);
+}
+
+TEST(SurveyBands, CoverWhatIsAskedForAndOverlap) {
+  EXPECT_EQ(survey_bands(most_decay_rows, 1000, 5, 0).size(), 1u);
+  for (const double lowest : {0.0, 30.0}) {
+    const std::vector<SurveyBand> bands = survey_bands(20 * most_decay_rows, 12800, lowest, 5000);
+    ASSERT_EQ(bands.size(), 4u);
+    EXPECT_EQ(bands.front().lowest_hz, lowest);
+    EXPECT_EQ(bands.back().highest_hz, 5000);
+    for (std::size_t b = 0; b + 1 < bands.size(); ++b) {
+      EXPECT_LT(bands[b + 1].lowest_hz, bands[b].highest_hz);
+      EXPECT_LT(bands[b].highest_hz, bands[b + 1].highest_hz);
+    }
+  }
+  // What lies below what is asked for is not looked at.
+  EXPECT_EQ(survey_bands(20 * most_decay_rows, 12800, 2000, 5000).size(), 1u);
 }
 
 }  // namespace
