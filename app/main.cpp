@@ -11,6 +11,7 @@
 
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
+#include "app/shared/unknown_word.hpp"
 #include "input/input_error.hpp"
 #include "input/interruption.hpp"
 #include "input/numerical_failure.hpp"
@@ -47,13 +48,17 @@ int main(int argc, char** argv) {
     return with_all_printed(chosen ? chosen() : 0);
   } catch (const CLI::ParseError& error) {
     const bool asked_for_help = error.get_exit_code() == 0;
+    if (const std::string unknown = asked_for_help ? "" : unknown_word(root); !unknown.empty()) {
+      fmt::print(stderr, "secular: {}\n", visible(unknown));
+      return 2;
+    }
     root.exit(error);
     return with_all_printed(asked_for_help ? 0 : 2);
   } catch (const secular::InputError& error) {
-    fmt::print(stderr, "secular: {}\n", error.what());
+    fmt::print(stderr, "secular: {}\n", visible(error.what()));
     return 2;
   } catch (const secular::NumericalFailure& failure) {
-    fmt::print(stderr, "secular: {}\n", failure.what());
+    fmt::print(stderr, "secular: {}\n", visible(failure.what()));
     return 1;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr,
