@@ -55,7 +55,7 @@ void write_estimate_score(const EstimateScore& score, const std::string& set_nam
     text += fmt::format("- {}: {}\n", f.number, f.reason);
     failed.push_back({{"case", f.number}, {"reason", f.reason}});
   }
-  fs::create_directories(page);
+  make_folder(page);
   write_text(page / "estimates.md", text);
   write_text(page / "estimates.json", ordered_json{{"schema", 1},
                                                    {"cases", score.campaigns},

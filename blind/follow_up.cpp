@@ -9,6 +9,7 @@
 
 #include "blind/random.hpp"
 #include "blind/sealed_files.hpp"
+#include "input/folder_lock.hpp"
 
 namespace secular::blind {
 namespace {
@@ -54,6 +55,7 @@ fs::path follow_up_folder(const fs::path& place, const std::string& which) {
 
 FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
+  const FolderLock lock = lock_or_refuse(folder);
   const Diagnoser diagnoser(options);
   const std::vector<CampaignPlan> plans = draw_plans(set);
   FollowUpSummary summary;
@@ -76,7 +78,7 @@ FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options,
         if (!proposal || fs::exists(target / "diagnosis" / "diagnosis.json")) continue;
         std::error_code ignored;
         fs::remove_all(target, ignored);
-        fs::create_directories(target);
+        make_folder(target);
         write_extended_campaign(sealed, set.seed, asked ? *proposal : compared, place / "campaign",
                                 target / "campaign");
         if (const std::optional<std::string> fault = diagnoser.run(place, target / "campaign", target))

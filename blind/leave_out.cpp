@@ -6,6 +6,7 @@
 
 #include "blind/sealed_campaign.hpp"
 #include "blind/sealed_files.hpp"
+#include "input/folder_lock.hpp"
 
 namespace secular::blind {
 
@@ -21,6 +22,7 @@ fs::path look_alikes_file(const fs::path& place) {
 
 LeaveOutSummary leave_out_of_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
+  const FolderLock lock = lock_or_refuse(folder);
   const Diagnoser diagnoser(options);
   const std::vector<CampaignPlan> plans = draw_plans(set);
   LeaveOutSummary summary;
@@ -33,7 +35,7 @@ LeaveOutSummary leave_out_of_set(const fs::path& folder, const RunOptions& optio
       ++campaigns;
       if (complete) ++kept;
       if (!complete) {
-        fs::create_directories(out);
+        make_folder(out);
         const SealedCampaign sealed = draw_campaign(plans[i], set.seed);
         write_text(look_alikes_file(place), nlohmann::json(rest_that_explains(sealed, set.seed)).dump() + "\n");
         if (const std::optional<std::string> fault =

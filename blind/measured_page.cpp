@@ -229,11 +229,7 @@ std::string measured_markdown(const ordered_json& page) {
 }
 
 void write_measured(const ordered_json& page, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw InputError(folder.string(), "", "cannot be made: " + error.message(),
-                     "name a folder that you may write to");
+  make_folder(folder);
   write_text(folder / "measured.json", page.dump(1) + "\n");
   write_text(folder / "measured.md", measured_markdown(page));
 }

@@ -7,6 +7,7 @@
 
 #include "blind/sealed_files.hpp"
 #include "input/child_process.hpp"
+#include "input/folder_lock.hpp"
 #include "input/input_error.hpp"
 #include "input/toml_table.hpp"
 
@@ -57,7 +58,7 @@ class Runner {
   Ended run(const MeasuredCommands& commands, const fs::path& place) const {
     std::error_code ignored;
     fs::remove_all(place, ignored);
-    fs::create_directories(place);
+    make_folder(place);
     Ended e;
     e.commands = commands;
     e.limit_s = options_.limit_s;
@@ -123,6 +124,8 @@ MeasuredCommands commands_of(const MeasuredSet& set, const fs::path& models, con
 MeasuredRun run_measured(const MeasuredList& list, const MeasuredPlaces& places, const RunOptions& options,
                          bool again, const Progress& progress) {
   require_data(list, places.data);
+  make_folder(places.work);
+  const FolderLock lock = lock_or_refuse(places.work);
   const Runner runner(options);
   MeasuredRun run;
   for (const MeasuredSet& set : list.sets) {

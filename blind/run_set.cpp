@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "blind/sealed_files.hpp"
+#include "input/folder_lock.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::blind {
@@ -96,6 +97,7 @@ RunSummary run_campaigns(const fs::path& folder, const RunOptions& options,
                          const Progress& progress) {
   RunSummary summary;
   summary.campaigns = count_of_campaigns(folder);
+  const FolderLock lock = lock_or_refuse(folder);
   Failures failures;
   std::atomic<std::size_t> done{0}, kept{0};
   in_parallel(summary.campaigns, options.threads, [&](std::size_t i) {

@@ -54,7 +54,7 @@ Score score_set(const fs::path& folder) {
 }
 
 void write_score(const Score& score, const std::string& set_name, const fs::path& page) {
-  fs::create_directories(page);
+  make_folder(page);
   write_text(page / "score.json", score_json(score).dump(1) + "\n");
   write_text(page / "calibration.svg", calibration_svg(score.calibration));
   write_text(page / "score.md", score_markdown(score, set_name));

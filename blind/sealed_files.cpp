@@ -18,6 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void put_in_place(const fs::path& partial, const fs::path& folder) {
+  std::error_code error;
+  fs::remove_all(folder, error);
+  if (!error) fs::rename(partial, folder, error);
+  if (error) throw InputError(folder.string(), "", "cannot be written: " + error.message());
+}
+
 // A term as the model file writes it: the mode's equation, its coordinate {v}, the other one {u}, the symbol {c}.
 std::string term_text(const std::string& effect, const std::string& c, const std::string& v, const std::string& u) {
   if (effect == "viscous_damping") return fmt::format("- 2*{}*D({})", c, v);
@@ -144,13 +151,25 @@ std::string dwell_file(std::size_t index) {
   return fmt::format("records/{:04}.csv", index + 1);
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string(), "", "cannot be made: " + error.message(),
+                     "name a folder that you may write to");
+}
+
 void write_text(const fs::path& path, const std::string& text) {
   const fs::path partial = path.string() + ".partial";
   {
     std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
     stream << text;
     stream.flush();
-    if (!stream) throw InputError(path.string(), "", "cannot be written", "name a folder that you may write to");
+    if (!stream) {
+      std::error_code ignored;
+      fs::remove(partial, ignored);
+      throw InputError(path.string(), "", "cannot be written", "check the permissions and the free space");
+    }
   }
   std::error_code error;
   fs::rename(partial, path, error);
@@ -201,7 +220,7 @@ void write_sealed(const SealedCampaign& c, std::uint64_t seed, const fs::path& f
   const fs::path partial = folder.string() + ".partial";
   std::error_code ignored;
   fs::remove_all(partial, ignored);
-  fs::create_directories(partial / "campaign" / "records");
+  make_folder(partial / "campaign" / "records");
   const Specimen& s = c.specimen;
   write_text(partial / "model.toml", model_text(s, seed + c.plan.number));
   if (!c.parameters.empty()) {
@@ -222,8 +241,7 @@ void write_sealed(const SealedCampaign& c, std::uint64_t seed, const fs::path& f
     text += record_text(writer.write(record++, decay.drive, decay.motion), "free_decay", decay.drive.started) +
             "group = \"free decays\"\n";
   write_text(partial / "campaign" / "campaign.toml", text);
-  fs::remove_all(folder, ignored);
-  fs::rename(partial, folder);
+  put_in_place(partial, folder);
 }
 
 void write_extended_campaign(const SealedCampaign& c, std::uint64_t seed, const FurtherDwell& further,
@@ -231,7 +249,11 @@ void write_extended_campaign(const SealedCampaign& c, std::uint64_t seed, const 
   const fs::path partial = target.string() + ".partial";
   std::error_code ignored;
   fs::remove_all(partial, ignored);
-  fs::copy(campaign, partial, fs::copy_options::recursive);
+  std::error_code error;
+  fs::copy(campaign, partial, fs::copy_options::recursive, error);
+  if (error)
+    throw InputError(partial.string(), "", "cannot be written: " + error.message(),
+                     "check the permissions and the free space");
   Dwell dwell = c.specimen.dwells.at(further.like);
   dwell.drive.amplitude *= further.level;
   dwell.drive.frequency = further.frequency;
@@ -243,7 +265,7 @@ void write_extended_campaign(const SealedCampaign& c, std::uint64_t seed, const 
   const std::string file = writer.write(record, drive, dwell_motion(c, dwell, record, further.length));
   write_text(partial / "campaign.toml",
              read_text(partial / "campaign.toml") + dwell_text(file, drive, dwell.group + ", further"));
-  fs::rename(partial, target);
+  put_in_place(partial, target);
 }
 
 namespace {

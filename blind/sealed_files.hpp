@@ -35,6 +35,9 @@ void write_extended_campaign(const SealedCampaign& sealed, std::uint64_t seed, c
 /// What the campaign really is, for labels.json.
 nlohmann::ordered_json label_of(const SealedCampaign& sealed);
 
+/// With its parents. Throws InputError where it cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
 /// Writes a file as a whole: a temporary one beside it, then a rename. Throws InputError.
 void write_text(const std::filesystem::path& path, const std::string& text);
 /// The whole file. Throws InputError.

@@ -13,6 +13,7 @@
 
 #include "blind/sealed_files.hpp"
 #include "blind/sha256.hpp"
+#include "input/folder_lock.hpp"
 #include "input/input_error.hpp"
 
 namespace secular::blind {
@@ -91,11 +92,8 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
 
 void generate_set(const fs::path& folder, const SetOptions& options, const Progress& progress) {
   const ordered_json head = heading(options);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw InputError(folder.string(), "", "cannot be made: " + error.message(),
-                     "name a folder that you may write to");
+  make_folder(folder);
+  const FolderLock lock = lock_or_refuse(folder);
   if (fs::exists(folder / "labels.json")) {
     const nlohmann::json sealed = read_labels(folder);
     for (const auto& [key, value] : head.items())
@@ -106,11 +104,12 @@ void generate_set(const fs::path& folder, const SetOptions& options, const Progr
   if (fs::exists(begun)) {
     if (read_text(begun) != head.dump() + "\n") refuse_other_set(folder);
   } else {
-    if (!fs::is_empty(folder))
+    std::error_code error;
+    if (!fs::is_empty(folder, error))
       throw InputError(folder.string(), "", "exists and is not an empty folder", "name a new folder");
     write_text(begun, head.dump() + "\n");
   }
-  fs::create_directories(unsealed(folder));
+  make_folder(unsealed(folder));
   const std::vector<CampaignPlan> plans = draw_plans(options);
   std::vector<ordered_json> labels(plans.size());
   std::atomic<std::size_t> done{0};
@@ -133,7 +132,8 @@ void generate_set(const fs::path& folder, const SetOptions& options, const Progr
   // The hash first: labels without it would never be accepted.
   write_text(folder / "labels.sha256", sha256(text) + "  labels.json\n");
   write_text(folder / "labels.json", text);
-  fs::remove_all(unsealed(folder));
+  std::error_code ignored;
+  fs::remove_all(unsealed(folder), ignored);
 }
 
 nlohmann::json read_labels(const fs::path& folder) {

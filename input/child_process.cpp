@@ -12,8 +12,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <mutex>
 #include <system_error>
 #include <thread>
+
+#include "input/interruption.hpp"
 
 namespace secular {
 namespace {
@@ -96,6 +99,7 @@ class SpawnSettings {
 
 std::vector<std::string> environment_of(const ChildProcess& process) {
   std::vector<std::string> entries = process.settings;
+  if (Interruption::is_on()) entries.push_back(Interruption::setting_for_children());
   for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
     const std::string_view setting = *entry;
     if (std::none_of(process.hidden.begin(), process.hidden.end(),
@@ -111,6 +115,37 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   result.push_back(nullptr);
   return result;
 }
+
+// Started, and known to Interruption where that is on. From posix_spawnp: 0 or an errno value.
+class StartedChild {
+ public:
+  StartedChild(const SpawnSettings& spawn, const std::vector<char*>& arguments,
+               const std::vector<char*>& environment) {
+    std::unique_lock<std::mutex> lock;
+    if (Interruption::is_on()) lock = std::unique_lock(Interruption::instance().guard());
+    refused_ = posix_spawnp(&child_, arguments[0], spawn.actions(), spawn.attributes(), arguments.data(),
+                            environment.data());
+    if (refused_ == 0 && lock) {
+      Interruption::instance().add_child(child_);
+      known_ = true;
+    }
+  }
+  ~StartedChild() {
+    if (!known_) return;
+    const std::lock_guard lock(Interruption::instance().guard());
+    Interruption::instance().take_out_child(child_);
+  }
+  StartedChild(const StartedChild&) = delete;
+  StartedChild& operator=(const StartedChild&) = delete;
+
+  int refused() const { return refused_; }
+  pid_t number() const { return child_; }
+
+ private:
+  pid_t child_ = 0;
+  int refused_ = 0;
+  bool known_ = false;
+};
 
 // Status of waitpid, or nothing: it cannot be waited for.
 std::optional<int> wait_for(pid_t child, double limit_s, ProcessEnd& end) {
@@ -162,7 +197,7 @@ ProcessEnd run_process(const ChildProcess& process) {
   MemoryFile input, output, errors;
   if (!input.open() || !output.open() || !errors.open() || !input.fill(process.input)) return refused(errno);
   SpawnSettings spawn;
-  if (process.limit_s > 0) spawn.own_group();
+  if (process.limit_s > 0 || Interruption::is_on()) spawn.own_group();
   spawn.duplicate(input.descriptor(), STDIN_FILENO);
   if (process.log.empty())
     spawn.duplicate(output.descriptor(), STDOUT_FILENO);
@@ -172,14 +207,16 @@ ProcessEnd run_process(const ChildProcess& process) {
   std::vector<std::string> texts = process.arguments, variables = environment_of(process);
   const std::vector<char*> arguments = pointers(texts), environment = pointers(variables);
   const auto begun = std::chrono::steady_clock::now();
-  pid_t child = 0;
-  if (const int why = posix_spawnp(&child, arguments[0], spawn.actions(), spawn.attributes(), arguments.data(),
-                                   environment.data());
-      why != 0)
-    return refused(why);
-  const std::optional<int> status = wait_for(child, process.limit_s, end);
+  std::optional<int> status;
+  int why = 0;
+  {
+    const StartedChild child(spawn, arguments, environment);
+    if (child.refused() != 0) return refused(child.refused());
+    status = wait_for(child.number(), process.limit_s, end);
+    why = errno;
+  }
   end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  if (!status) return refused(errno);
+  if (!status) return refused(why);
   if (WIFEXITED(*status) && !end.out_of_time) end.status = WEXITSTATUS(*status);
   end.output = output.contents();
   end.errors = errors.contents();

@@ -11,8 +11,9 @@ namespace secular {
 /// The executable file of a program name (looked up in $PATH) or path; nothing if there is none.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// A program and what it is given. It stays in the group of this process, so that an interrupt from the terminal
-/// ends both, unless its time is limited: then it has a group of its own, and whatever it has started ends with it.
+/// A program and what it is given. It has a group of its own, so that whatever it has started ends with it, where
+/// its time is limited or this process ends what it has started (Interruption::is_on). Else it stays in the group
+/// of this process, so that an interrupt from the terminal ends both.
 struct ChildProcess {
   std::vector<std::string> arguments;      ///< the first is a path, or a name that is looked up in $PATH
   std::string_view input = {};             ///< its standard input

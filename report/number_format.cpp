@@ -10,7 +10,18 @@
 namespace secular::report {
 namespace {
 
-constexpr std::string_view minus = "\u2212";
+// Set by PlainNumbers.
+bool plain = false;
+
+std::string_view minus() {
+  return plain ? "-" : "\u2212";
+}
+std::string_view narrow_space() {
+  return plain ? " " : "\u202F";
+}
+std::string_view plus_or_minus() {
+  return plain ? " +- " : " ± ";
+}
 constexpr std::string_view not_available = "n/a";
 
 /// Decimal exponent of |value| after rounding to `significant` digits: 9.996 with three digits is 10.0, exponent 1.
@@ -20,11 +31,12 @@ int decimal_exponent(double value, int significant) {
 }
 
 std::string infinity_text(double value) {
-  return value < 0 ? std::string(minus) + "∞" : "∞";
+  return std::string(value < 0 ? minus() : "") + (plain ? "inf" : "∞");
 }
 
 std::string times_power_of_ten(int exponent) {
-  return exponent == 0 ? "" : "\u202F×\u202F10" + superscript(exponent);
+  if (exponent == 0) return "";
+  return plain ? fmt::format("e{:+03}", exponent) : "\u202F×\u202F10" + superscript(exponent);
 }
 
 bool plain_notation(int exponent) {
@@ -38,7 +50,16 @@ double scaled(double value, int exponent) {
 
 }  // namespace
 
+PlainNumbers::PlainNumbers(bool wanted) : before_(plain) {
+  plain = wanted;
+}
+
+PlainNumbers::~PlainNumbers() {
+  plain = before_;
+}
+
 std::string superscript(int number) {
+  if (plain) return fmt::format("^{}", number);
   static constexpr std::array<std::string_view, 10> digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text;
   for (const char c : fmt::format("{}", number)) text += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
@@ -48,7 +69,7 @@ std::string superscript(int number) {
 std::string format_fixed(double value, int decimals) {
   std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
   const bool is_zero = digits.find_first_not_of("0.") == std::string::npos;
-  return value < 0 && !is_zero ? std::string(minus) + digits : digits;
+  return value < 0 && !is_zero ? std::string(minus()) + digits : digits;
 }
 
 std::string format_number(double value, int significant) {
@@ -63,7 +84,7 @@ std::string format_number(double value, int significant) {
 
 std::string format_uncertain(double value, double sd, UncertaintyStyle style) {
   if (!std::isfinite(value)) return format_number(value);
-  if (std::isnan(sd)) return format_number(value, 6) + " ± ?";
+  if (std::isnan(sd)) return format_number(value, 6) + std::string(plus_or_minus()) + "?";
   if (!(sd > 0) || std::isinf(sd)) return format_number(value, 6);
 
   const int sd_exponent = decimal_exponent(sd, 2);
@@ -76,7 +97,7 @@ std::string format_uncertain(double value, double sd, UncertaintyStyle style) {
   const double spread = scaled(sd, power);
 
   if (style == UncertaintyStyle::plus_minus) {
-    const std::string both = mean + " ± " + format_fixed(spread, decimals);
+    const std::string both = mean + std::string(plus_or_minus()) + format_fixed(spread, decimals);
     return power == 0 ? both : "(" + both + ")" + times_power_of_ten(power);
   }
   // Digits in parentheses count in units of the last place; once sd reaches past the decimal point that is misread,
@@ -90,8 +111,8 @@ std::string format_quantity(double value, double sd, std::string_view unit, Unce
   const std::string shown_unit = pretty_unit(unit);
   std::string text = format_uncertain(value, sd, style);
   if (shown_unit.empty()) return text;
-  if (text.find(" ± ") != std::string::npos && text.front() != '(') text = "(" + text + ")";
-  return text + "\u202F" + shown_unit;
+  if (text.find(plus_or_minus()) != std::string::npos && text.front() != '(') text = "(" + text + ")";
+  return text + std::string(narrow_space()) + shown_unit;
 }
 
 std::string format_interval(double low, double high) {
@@ -108,7 +129,7 @@ std::string format_interval(double low, double high) {
 
 std::string format_percent(double fraction, int decimals) {
   if (!std::isfinite(fraction)) return format_number(fraction);
-  return format_fixed(100 * fraction, decimals) + "\u202F%";
+  return format_fixed(100 * fraction, decimals) + std::string(narrow_space()) + "%";
 }
 
 std::string pretty_unit(std::string_view unit) {

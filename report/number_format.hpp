@@ -7,6 +7,19 @@
 /// of ten as superscripts (1.3 × 10⁻⁶). Independent of the locale; the same input gives the same bytes.
 namespace secular::report {
 
+/// While one lives, functions of this file give plain ASCII instead, which programs read and terminals without
+/// UTF-8 show: -0.002(42), 1.30e-06, 0.22 +- 0.01, m/s^2. One thread at a time.
+class PlainNumbers {
+ public:
+  explicit PlainNumbers(bool wanted = true);
+  ~PlainNumbers();
+  PlainNumbers(const PlainNumbers&) = delete;
+  PlainNumbers& operator=(const PlainNumbers&) = delete;
+
+ private:
+  bool before_;
+};
+
 enum class UncertaintyStyle {
   parentheses,  ///< 0.2220(13): the standard uncertainty in units of the last digits
   plus_minus    ///< 0.2220 ± 0.0013

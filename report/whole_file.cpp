@@ -7,9 +7,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <string>
 
 #include "input/input_error.hpp"
+#include "input/interruption.hpp"
 
 namespace secular::report {
 namespace {
@@ -30,10 +32,16 @@ class TemporaryFile {
       descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) fail(target, errno);
     }
+    Interruption& interruption = Interruption::instance();
+    const std::lock_guard lock(interruption.guard());
+    interruption.add(this, [this] { return ::unlink(name_.c_str()) == 0 || errno == ENOENT; });
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
+    Interruption& interruption = Interruption::instance();
+    const std::lock_guard lock(interruption.guard());
+    interruption.take_out(this);
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!renamed_) ::unlink(name_.c_str());
   }
@@ -52,6 +60,7 @@ class TemporaryFile {
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) return errno;
+    const std::lock_guard lock(Interruption::instance().guard());
     if (::rename(name_.c_str(), target.c_str()) != 0) return errno;
     renamed_ = true;
     return 0;

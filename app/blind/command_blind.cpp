@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include "app/shared/command_line.hpp"
@@ -20,9 +22,13 @@
 #include "blind/run_set.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_set.hpp"
+#include "input/input_error.hpp"
+#include "input/interruption.hpp"
 
 namespace secular::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct BlindArguments {
   std::string folder, set = "short", page = "docs/blind_check", program;
@@ -34,9 +40,34 @@ struct BlindArguments {
   // Of measured sets.
   std::string data, list = "models/measured/sets.toml", work = "out/measured";
   std::vector<std::string> only;
-  bool force = false;
+  bool force = false, again = false;
   const CLI::App* command = nullptr;
 };
+
+// Before any work: pages of another run are replaced with --force alone.
+void check_page(const BlindArguments& options, std::initializer_list<const char*> names) {
+  std::error_code error;
+  for (const char* name : names)
+    if (const fs::path file = fs::path(options.page) / name;
+        fs::exists(fs::symlink_status(file, error)) && !options.force)
+      throw InputError(file.string(), "", "exists", "name another folder of pages, or add --force to replace it");
+}
+
+void check_score(const BlindArguments& options) {
+  check_page(options, {"score.md", "score.json", "calibration.svg"});
+}
+
+void check_estimates(const BlindArguments& options) {
+  check_page(options, {"estimates.md", "estimates.json"});
+}
+
+void check_measured(const BlindArguments& options) {
+  check_page(options, {"measured.md", "measured.json"});
+}
+
+void add_force(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
+  command->add_flag("--force", options->force, "replace pages that stand there");
+}
 
 void generate(const BlindArguments& options) {
   blind::SetOptions set;
@@ -132,7 +163,7 @@ void measured(const BlindArguments& options) {
   blind::RunOptions how = run_options(options);
   how.threads = 1;
   const blind::MeasuredRun run =
-      blind::run_measured(list, {options.data, options.work}, how, options.force,
+      blind::run_measured(list, {options.data, options.work}, how, options.again,
                           [&line](std::size_t done, std::size_t total) { line(done, total); });
   const nlohmann::ordered_json page = blind::measured_json(
       {command_line_of(*options.command), options.list, options.data, options.work}, list, run.results);
@@ -181,6 +212,7 @@ void add_blind_command(CLI::App* blind, Action& chosen) {
     CLI::App* command = blind->add_subcommand(name, what);
     command->callback([options, &chosen, steps...] {
       chosen = [options, steps...] {
+        Interruption::instance().set_message("what is done is kept; the same command goes on with the rest");
         (steps(*options), ...);
         return 0;
       };
@@ -205,20 +237,23 @@ void add_blind_command(CLI::App* blind, Action& chosen) {
   leaving->add_option("FOLDER", leave_options->folder, "made by generate")->required();
   add_threads(leaving, leave_options);
   add_run_options(leaving, leave_options);
-  const auto [scoring, score_options] = add("score", "Open the labels and compare", score);
+  const auto [scoring, score_options] = add("score", "Open the labels and compare", check_score, score);
   scoring->add_option("FOLDER", score_options->folder, "made by generate, diagnosed by run")->required();
   scoring->add_option("-o,--output", score_options->page, "folder of score.md, score.json and calibration.svg")
       ->capture_default_str();
+  add_force(scoring, score_options);
   const auto [estimating, estimate_options] =
       add("estimates", "Identify every campaign of a set with nothing withheld; compare its numbers with the truth",
-          estimates);
+          check_estimates, estimates);
   estimating->add_option("FOLDER", estimate_options->folder, "made by generate --nothing-withheld")->required();
   estimating->add_option("-o,--output", estimate_options->page, "folder of estimates.md and estimates.json")
       ->capture_default_str();
   add_threads(estimating, estimate_options);
   add_run_options(estimating, estimate_options);
+  add_force(estimating, estimate_options);
   const auto [measuring, measured_options] =
-      add("measured", "Diagnose records that others measured and compare with what is known of them", measured);
+      add("measured", "Diagnose records that others measured and compare with what is known of them",
+          check_measured, measured);
   measured_options->command = measuring;
   measured_options->page.clear();
   measuring->add_option("DATA", measured_options->data, "folder of the measured data")->required();
@@ -232,15 +267,17 @@ void add_blind_command(CLI::App* blind, Action& chosen) {
       ->capture_default_str();
   measuring->add_option("--only", measured_options->only, "a set by its name; may be given several times")
       ->allow_extra_args(false);
-  measuring->add_flag("--force", measured_options->force, "run sets that have a result as well");
+  add_force(measuring, measured_options);
+  measuring->add_flag("--again", measured_options->again, "run sets that have a result as well");
   add_run_options(measuring, measured_options);
-  const auto [all, all_options] =
-      add("all", "generate, run, follow, leave-out and score", generate, run, follow, leave_out, score);
+  const auto [all, all_options] = add("all", "generate, run, follow, leave-out and score", check_score, generate,
+                                      run, follow, leave_out, score);
   add_set_options(all, all_options);
   add_threads(all, all_options);
   add_run_options(all, all_options);
   all->add_option("--page", all_options->page, "folder of score.md, score.json and calibration.svg")
       ->capture_default_str();
+  add_force(all, all_options);
 }
 
 }  // namespace secular::app

@@ -58,6 +58,7 @@ void print_next_experiment(const DiagnosisRun& run) {
 }
 
 void print_summary(const DiagnosisRun& run, const std::string& folder) {
+  const report::PlainNumbers plain(prints_for_programs());
   const Diagnosis& d = run.diagnosis;
   fmt::print("model {}: {} condition{}, {} rows, {} of the samples\n", run.model->name, d.conditions,
              d.conditions == 1 ? "" : "s", d.labels.size(), report::format_percent(d.data_used));

@@ -53,6 +53,7 @@ void parse_fixed(IdentifyArguments& options) {
 }
 
 void print_summary(const Identification& id, const std::string& folder) {
+  const report::PlainNumbers plain(prints_for_programs());
   for (const ObservationSet& set : id.measured)
     fmt::print("model {}, case {}: {} observations\n", id.model->name, set.resonance->name,
                set.observations.size());

@@ -16,6 +16,7 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/disturbance_output.hpp"
 #include "app/shared/json_numbers.hpp"
+#include "app/shared/notices.hpp"
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
@@ -43,7 +44,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
       line +=
           c < first_number ? fmt::format(" {:<{}}", row[c], widths[c]) : fmt::format("  {:>{}}", row[c], widths[c]);
     line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
+    text += visible(line) + "\n";
   }
   return text;
 }
@@ -173,7 +174,7 @@ InspectedCampaign inspected(const std::filesystem::path& folder, const Window& w
 
 void print_campaign(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
   const auto [campaign, records, disturbances] = inspected(folder, window, limit);
-  fmt::print("campaign '{}' in {}\n", campaign.name, folder.string());
+  fmt::print("campaign '{}' in {}\n", visible(campaign.name), folder.string());
   if (campaign.sample_rate_hz > 0) fmt::print("sample rate {} Hz\n", campaign.sample_rate_hz);
   print_channels(campaign);
   print_tables(campaign);
@@ -223,6 +224,8 @@ InspectedFile inspected_file(const std::filesystem::path& path, const Inspection
 void print_file(const std::filesystem::path& path, const InspectionLimit& limit) {
   const auto [file, campaign, disturbances] = inspected_file(path, limit);
   fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
+  if (file.segments > 1)
+    fmt::print("{} segments, each of which `secular import` makes a record: this is the first\n", file.segments);
   if (file.variables.empty()) {
     fmt::print("nothing in it can be imported\n");
     return;
@@ -351,7 +354,7 @@ Json campaign_json(const std::filesystem::path& folder, const Window& window, co
 
 Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) {
   const auto [file, campaign, disturbances] = inspected_file(path, limit);
-  Json root = {{"file", path.string()}, {"format", file.format}};
+  Json root = {{"file", path.string()}, {"format", file.format}, {"segments", file.segments}};
   if (file.partial) root["judged"] = "the first samples";
   if (file.estimated) root["lengths_estimated"] = true;
   std::size_t faults = file.faults.size();

@@ -58,6 +58,7 @@ void check(const ModalArguments& options) {
 }
 
 void print_summary(const ModalSurvey& survey, const ModalArguments& options) {
+  const report::PlainNumbers plain(prints_for_programs());
   fmt::print("{} mode{} of {} channels\n", survey.modes.size(), survey.modes.size() == 1 ? "" : "s",
              survey.channels.size());
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/plan/planning.hpp"
@@ -12,6 +13,7 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
+#include "app/shared/progress_line.hpp"
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "report/number_format.hpp"
@@ -39,6 +41,7 @@ std::pair<double, double> range_of(const std::string& text, const std::string& o
 }
 
 void print_summary(const PlanResult& plan, const std::string& folder) {
+  const report::PlainNumbers plain(prints_for_programs());
   fmt::print("model {}, case {}: {} candidates\n", plan.model->name, plan.resonance->name, plan.candidates.size());
   fmt::print("plan: {} dwells, {:.0f} s\n", plan.plan.dwells.size(), plan.plan.time_s);
   for (const PlannedDwell& d : plan.plan.dwells)
@@ -110,6 +113,9 @@ void declare_options(CLI::App* command, PlanArguments* options) {
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
   command->add_option("--levels", request.levels, "of the grid")->check(CLI::Range(1, 200))->capture_default_str();
+  command->add_option("--limit", request.limit_s, "wall time of the search, s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   options->output.add_to(*command, "folder for plan.json, plan.toml and report.html");
   command->add_flag("--json", options->json, "print plan.json instead of the summary");
   command->footer(
@@ -129,6 +135,11 @@ int run(PlanArguments& options, const CLI::App& command) {
   asked.against_records = options.selection.window();
   std::tie(asked.lowest_hz, asked.highest_hz) = range_of(options.frequency, "--range-frequency");
   std::tie(asked.lowest_amplitude, asked.highest_amplitude) = range_of(options.amplitude, "--range-amplitude");
+  std::optional<ProgressLine> line;
+  asked.progress = [&line, stage = std::string()](const char* what, std::size_t done, std::size_t total) mutable {
+    if (stage != what) line.emplace(stage = what);
+    (*line)(done, total);
+  };
   const PlanResult plan = plan_test(asked);
   const std::string json = plan_json(asked, plan);
   const std::string html = plan_report(asked, plan, command_line_of(command));

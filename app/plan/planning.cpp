@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "app/plan/plan_inputs.hpp"
 #include "app/plan/programme_in_use.hpp"
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular::app {
@@ -25,12 +27,39 @@ constexpr double target_share = 0.9;
 /// A dwell that a plan may choose: a candidate, by its index, and how many ensembles are recorded there.
 using DwellOptions = std::vector<std::pair<std::size_t, int>>;
 
-void find_candidates(const PlanRequest& request, const DwellEvaluation& evaluation, PlanResult& plan) {
+// Tells how far the search is, and ends it when its time is over: how long it takes grows with the grid, and for
+// the choice with the square of what fits into the budget.
+class SearchClock {
+ public:
+  explicit SearchClock(const PlanRequest& request) : request_(request) {}
+
+  void operator()(const char* what, std::size_t done, std::size_t total) const {
+    if (request_.progress) request_.progress(what, done, total);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
+    if (spent.count() <= request_.limit_s) return;
+    throw NumericalFailure(
+        Ending::stalled,
+        fmt::format(
+            "the search for a plan has taken more than {:g} s, with {} of {} {}: ask for fewer --frequencies, "
+            "--levels or --ensembles, narrower ranges or a smaller --budget-s, or give it more time with "
+            "--limit",
+            request_.limit_s, done, total, what));
+  }
+
+ private:
+  const PlanRequest& request_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
+void find_candidates(const PlanRequest& request, const DwellEvaluation& evaluation, const SearchClock& clock,
+                     PlanResult& plan) {
   if (!(request.lowest_hz < request.highest_hz) || !(request.lowest_hz > 0))
     throw InputError("--range-frequency", "", "is empty", "LOW:HIGH in Hz, for example 24.4:25.1");
   if (!(request.lowest_amplitude <= request.highest_amplitude) || !(request.lowest_amplitude > 0))
     throw InputError("--range-amplitude", "", "is empty", "LOW:HIGH in the excitation's unit, for example 10:30");
-  plan.candidates = response_candidates(evaluation.field(), evaluation.grid());
+  CandidateRequest grid = evaluation.grid();
+  grid.progress = [&clock](std::size_t done, std::size_t total) { clock("levels searched", done, total); };
+  plan.candidates = response_candidates(evaluation.field(), grid);
   if (plan.candidates.empty())
     throw InputError(
         "--range-frequency, --range-amplitude", "",
@@ -113,9 +142,10 @@ Choice choice_of(const PlanRequest& request, const DwellEvaluation& evaluation, 
 }
 
 void choose_within_budget(const PlanRequest& request, Choice choice, const DwellEvaluation& evaluation,
-                          PlanResult& plan) {
+                          const SearchClock& clock, PlanResult& plan) {
   DesignProblem& problem = choice.problem;
   problem.budget = *request.budget_s;
+  problem.pulse = [&] { clock("designs", 0, 1); };
   const Design design = optimal_design(problem);
   if (!design.feasible)
     throw InputError(fmt::format("--budget-s {:g}", *request.budget_s), "",
@@ -129,7 +159,7 @@ void choose_within_budget(const PlanRequest& request, Choice choice, const Dwell
 // The shortest time that reaches the error bars of the programme in use, to 4 %: the sum of variances over those of
 // the programme is what an exchange can follow towards it.
 void choose_shortest(const PlanRequest& request, Choice choice, const DwellEvaluation& evaluation,
-                     PlanResult& plan) {
+                     const SearchClock& clock, PlanResult& plan) {
   DesignProblem& problem = choice.problem;
   problem.criterion = DesignCriterion::a;
   problem.scale = plan.against->sd;
@@ -139,7 +169,9 @@ void choose_shortest(const PlanRequest& request, Choice choice, const DwellEvalu
                        "does not determine " + plan.unknowns.names[static_cast<std::size_t>(w)], "give --budget-s");
   double high = std::max(plan.against->time_s, plan.against->settled_time_s), low = 0;
   std::optional<Programme> best;
-  for (int step = 0; step < 12 && high - low > 0.04 * high; ++step) {
+  constexpr std::size_t most_steps = 12;
+  for (std::size_t step = 0; step < most_steps && high - low > 0.04 * high; ++step) {
+    problem.pulse = [&clock, step] { clock("designs", step, most_steps); };
     problem.budget = step == 0 ? high : 0.5 * (low + high);
     const Design design = optimal_design(problem);
     Programme programme = programme_of(design, choice.options, evaluation, plan);
@@ -167,13 +199,14 @@ void choose_shortest(const PlanRequest& request, Choice choice, const DwellEvalu
 PlanResult plan_test(const PlanRequest& request) {
   PlanResult plan = plan_inputs(request);
   const DwellEvaluation evaluation(request, plan);
-  find_candidates(request, evaluation, plan);
+  const SearchClock clock(request);
+  find_candidates(request, evaluation, clock, plan);
   if (!request.against.empty()) plan.against = programme_in_use(request, plan, evaluation, plan.warnings);
   if (!request.budget_s && !plan.against)
     throw InputError("--budget-s, --against", "", "both are missing",
                      "give the laboratory time in seconds, or a programme whose error bars are to be reached");
   const auto choose = request.budget_s ? choose_within_budget : choose_shortest;
-  choose(request, choice_of(request, evaluation, plan), evaluation, plan);
+  choose(request, choice_of(request, evaluation, plan), evaluation, clock, plan);
   return plan;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +30,9 @@ struct PlanRequest {
   std::optional<int> least;  ///< dwells; without it as many as error bars from the scatter between dwells need
   std::string against;       ///< experiment or campaign
   Window against_records;    ///< of a campaign
+  double limit_s = 600;      ///< wall time of the search
+  /// Of the stages of the search (`what` is counted, in the plural); `done` may come many times.
+  std::function<void(const char* what, std::size_t done, std::size_t total)> progress{};
 };
 
 /// A dwell of a plan or of a programme in use.
@@ -64,7 +69,7 @@ struct PlanResult {
   std::vector<std::string> warnings;
 };
 
-/// Throws InputError for whatever in the request makes no sense.
+/// Throws InputError for whatever in the request makes no sense, and NumericalFailure after limit_s.
 PlanResult plan_test(const PlanRequest& request);
 
 /// plan.json and report.html; `command`: the command line, printed at the page's foot.

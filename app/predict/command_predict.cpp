@@ -70,6 +70,7 @@ std::string located(double value, double axis, const std::string& unit) {
 
 void print_summary(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
                    const std::string& folder) {
+  const report::PlainNumbers plain(prints_for_programs());
   fmt::print("model {}, case {}\n", prediction.model->name, prediction.resonance->name);
   for (const std::string& note : prediction.diagram.notes) fmt::print("  {}\n", note);
   for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {

@@ -32,6 +32,7 @@ std::string number_or_blank(const std::optional<double>& value) {
 }
 
 void print_summary(const ProcedureRun& run, const std::string& folder) {
+  const report::PlainNumbers plain(prints_for_programs());
   fmt::print("model {}, case {}: {} ensembles\n", run.model->name, run.resonance->name,
              run.measured.observations.size());
   for (const ProcedureSection& section : run.sections) {

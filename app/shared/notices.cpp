@@ -1,6 +1,7 @@
 #include "app/shared/notices.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 
@@ -28,8 +29,22 @@ bool is_quiet() {
   return quiet;
 }
 
+std::string visible(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool obeyed = (code < 0x20 && c != '\n' && c != '\t') || code == 0x7f;
+    result += obeyed ? fmt::format("\\x{:02x}", code) : std::string(1, c);
+  }
+  return result;
+}
+
+bool prints_for_programs() {
+  return isatty(STDOUT_FILENO) == 0;
+}
+
 void print_warning(const std::string& text) {
-  if (!quiet) fmt::print(stderr, "warning: {}\n", text);
+  if (!quiet) fmt::print(stderr, "warning: {}\n", visible(text));
 }
 
 void print_warnings(const std::vector<std::string>& texts) {

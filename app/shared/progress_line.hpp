@@ -18,6 +18,8 @@ class ProgressLine {
  private:
   std::string things_;
   std::mutex guard_;
+  std::size_t shown_ = 0;
+  double shown_at_ = 0;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 

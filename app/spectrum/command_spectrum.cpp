@@ -116,6 +116,9 @@ void filter(Columns& columns, const Window& window) {
 
 Columns columns_of_file(const SpectrumArguments& options) {
   DataFile data = read_data_file(options.source);
+  if (const std::size_t segments = count_segments(options.source); segments > 1)
+    print_warning(fmt::format("{} holds {} segments: this is the first; `secular import` makes a record of each",
+                              options.source, segments));
   convert_csv_units(data);
   Columns columns;
   columns.source = "file " + options.source;

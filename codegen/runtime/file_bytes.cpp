@@ -3,7 +3,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <system_error>
+
+#include "input/interruption.hpp"
 
 namespace secular {
 
@@ -35,12 +38,24 @@ bool write_file_bytes(const fs::path& path, std::string_view bytes) {
 PrivateFolder::PrivateFolder(const fs::path& parent) {
   if (parent.empty()) return;
   std::string pattern = (parent / "build-XXXXXX").string();
-  if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+  if (mkdtemp(pattern.data()) == nullptr) return;
+  path_ = pattern;
+  Interruption& interruption = Interruption::instance();
+  const std::lock_guard lock(interruption.guard());
+  interruption.add(this, [this] {
+    std::error_code error;
+    fs::remove_all(path_, error);
+    return !error;
+  });
 }
 
 PrivateFolder::~PrivateFolder() {
+  if (path_.empty()) return;
+  Interruption& interruption = Interruption::instance();
+  const std::lock_guard lock(interruption.guard());
+  interruption.take_out(this);
   std::error_code error;
-  if (!path_.empty()) fs::remove_all(path_, error);
+  fs::remove_all(path_, error);
 }
 
 }  // namespace secular

@@ -107,6 +107,7 @@ class Search {
     double cheapest = std::numeric_limits<double>::infinity();
     for (const DesignItem& item : problem_.items) cheapest = std::min(cheapest, item.cost);
     for (;;) {
+      if (problem_.pulse) problem_.pulse();
       const double value = value_of(sum_);
       const double missing =
           chosen_.size() + 1 < problem_.least ? static_cast<double>(problem_.least - chosen_.size() - 1) : 0.0;
@@ -130,6 +131,7 @@ class Search {
     double best_gain = smallest_gain;
     std::size_t out = 0, in = problem_.items.size();
     for (const std::size_t c : chosen_) {
+      if (problem_.pulse) problem_.pulse();
       const MatrixXd without = sum_ - scaled_[c];
       for (std::size_t i = 0; i < problem_.items.size(); ++i) {
         if (chosen_.count(i) == 1 || cost_ - problem_.items[c].cost + problem_.items[i].cost > problem_.budget ||

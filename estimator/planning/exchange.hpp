@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 namespace secular {
@@ -25,7 +26,8 @@ struct DesignProblem {
   Eigen::VectorXd scale;             ///< [unknown] what counts as one of it, for criterion a
   DesignCriterion criterion = DesignCriterion::d;
   double budget = 0;
-  std::size_t least = 0;  ///< items to choose at least
+  std::size_t least = 0;          ///< items to choose at least
+  std::function<void()> pulse{};  ///< called many times a second; what it throws ends the search
 };
 
 struct Design {

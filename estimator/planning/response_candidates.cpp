@@ -160,10 +160,18 @@ std::vector<DwellCandidate> response_candidates(const ResponseField& field, cons
     throw std::invalid_argument("candidates need two or more frequencies and a level");
   const Candidates candidates(field, request);
   std::vector<DwellCandidate> result;
-  for (const double forcing : request.forcings)
-    for (DwellCandidate& candidate :
-         candidates.at(request.frequencies, forcing, request.frequencies.front(), request.frequencies.back()))
+  for (std::size_t level = 0; level < request.forcings.size(); ++level) {
+    const auto tell = [&](std::size_t done) {
+      if (request.progress) request.progress(done, request.forcings.size());
+    };
+    tell(level);
+    for (DwellCandidate& candidate : candidates.at(request.frequencies, request.forcings[level],
+                                                   request.frequencies.front(), request.frequencies.back())) {
+      tell(level);
       if (!request.reached || candidates.reach(candidate)) result.push_back(std::move(candidate));
+    }
+    tell(level + 1);
+  }
   return result;
 }
 

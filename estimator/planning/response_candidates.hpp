@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "estimator/planning/dwell_information.hpp"
@@ -23,6 +25,8 @@ struct CandidateRequest {
   double settled = 1e-3;            ///< relative
   double settle_limit = 600;        ///< s; slower responses are no candidates
   bool reached = true;              ///< only those that a release from rest reaches
+  std::function<void(std::size_t done, std::size_t total)>
+      progress{};  ///< of levels; what it throws ends the search
 };
 
 /// Stable responses at every frequency and level, level by level. Those that no release from rest reaches (a few

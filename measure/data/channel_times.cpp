@@ -47,7 +47,8 @@ std::vector<std::optional<std::ptrdiff_t>> channel_delays(const DataFile& data, 
     const std::string own = own_time(data, channels[c]);
     if (own.empty() || own == time) continue;
     if (!reference && !stamps_s.empty()) reference = even_time_axis(stamps_s, data.file, data.place);
-    DataFile read = read_data_file(data.file, {own});
+    DataFile read =
+        read_data_file(data.file, {own}, MissingNumbers::refuse, all_values, DecimalMark::by_dialect, data.segment);
     DataVariable& stamps = read.vector(own);
     convert_to_seconds(stamps, data.file);
     const TimeAxis begun = even_time_axis(stamps.values, data.file, data.place,

@@ -75,6 +75,20 @@ DecimalMark decimal_mark(const std::string& text) {
   throw InputError("--decimal-mark", "", "is '" + text + "'", ". or , was expected");
 }
 
+/// A file, or one of the segments that it holds one behind the other.
+struct RecordSource {
+  std::filesystem::path path;
+  std::size_t segment = 0;
+};
+
+std::vector<RecordSource> sources_of(const std::vector<std::filesystem::path>& files) {
+  std::vector<RecordSource> sources;
+  for (const std::filesystem::path& path : files)
+    for (std::size_t segment = 0, count = count_segments(path); segment < count; ++segment)
+      sources.push_back({path, segment});
+  return sources;
+}
+
 /// What every file of a campaign is expected to hold.
 struct ExpectedFile {
   const std::vector<DescribedChannel>& channels;
@@ -89,13 +103,14 @@ struct ReadFile {
   std::vector<std::string> warnings;
 };
 
-DataFile read_variables(const std::filesystem::path& path, const ExpectedFile& expected) {
+DataFile read_variables(const RecordSource& source, const ExpectedFile& expected) {
   const std::string& time = expected.rows.variable;
   std::vector<std::string> wanted;
   for (const DescribedChannel& described : expected.channels)
     if (!contains(wanted, described.variable)) wanted.push_back(described.variable);
   if (!time.empty() && !contains(wanted, time)) wanted.push_back(time);
-  DataFile data = read_data_file(path, wanted, MissingNumbers::keep_gaps, all_values, expected.rows.mark);
+  DataFile data = read_data_file(source.path, wanted, MissingNumbers::keep_gaps, all_values, expected.rows.mark,
+                                 source.segment);
   convert_csv_units(data);
   return data;
 }
@@ -169,8 +184,8 @@ void note_missing(const DataFile& data, const std::vector<DescribedChannel>& cha
   }
 }
 
-ReadFile read_file(const std::filesystem::path& path, const ExpectedFile& expected) {
-  DataFile data = read_variables(path, expected);
+ReadFile read_file(const RecordSource& source, const ExpectedFile& expected) {
+  DataFile data = read_variables(source, expected);
   ReadFile read;
   Record& record = read.record;
   read_time(data, expected, read);
@@ -277,29 +292,30 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
     }
   }
   std::set<std::string> taken;
-  for (std::size_t f = 0; f < options.files.size(); ++f) {
+  const std::vector<RecordSource> sources = sources_of(options.files);
+  for (std::size_t f = 0; f < sources.size(); ++f) {
     // Files after the first are expected at the first one's rate.
     const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
     auto [record, time_unit, warnings] = read_file(
-        options.files[f],
+        sources[f],
         {channels, time, expected, options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is"});
     std::move(warnings.begin(), warnings.end(), std::back_inserter(imported.warnings));
     if (f == 0 && seconds_in(time_unit).value_or(1) != 1) imported.converted.push_back({"t", time_unit, "s"});
     if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;
     RecordEntry entry;
-    entry.file = record_file(options.files[f], taken);
+    entry.file = record_file(sources[f].path, taken);
     entry.kind = kind;
-    entry.excitation_frequency_hz = of_file(options.frequencies_hz, f, options.files.size(), "--frequency");
+    entry.excitation_frequency_hz = of_file(options.frequencies_hz, f, sources.size(), "--frequency");
     if (entry.excitation_frequency_hz && *entry.excitation_frequency_hz >= 0.5 * campaign.sample_rate_hz)
       throw InputError("--frequency", "",
                        fmt::format("is {}, not below half the sample rate", *entry.excitation_frequency_hz),
                        "check the unit (Hz)");
-    entry.excitation_amplitude = of_file(options.amplitudes, f, options.files.size(), "--amplitude");
+    entry.excitation_amplitude = of_file(options.amplitudes, f, sources.size(), "--amplitude");
     entry.ensemble_s = options.ensemble_s;
     entry.group = options.group;
     if (record.jitter_s > 0)
       imported.warnings.push_back(
-          options.files[f].string() + ": " +
+          sources[f].path.string() + ": " +
           jitter_text({record.start_s, record.sample_rate_hz, record.jitter_s}, record.channels));
     sink(campaign, entry, std::move(record));
     campaign.records.push_back(std::move(entry));

@@ -12,8 +12,8 @@ std::optional<double> of_file(const std::vector<double>& values, std::size_t fil
                               const char* option) {
   if (values.empty()) return std::nullopt;
   if (values.size() != 1 && values.size() != files)
-    throw InputError(option, "", fmt::format("has {} values for {} files", values.size(), files),
-                     "one for all files or one for each was expected");
+    throw InputError(option, "", fmt::format("has {} values for {} records", values.size(), files),
+                     "one for all records or one for each was expected");
   const double value = values.size() == 1 ? values.front() : values[file];
   if (!std::isfinite(value) || value <= 0)
     throw InputError(option, "", fmt::format("is {}", value), "a positive number was expected");

@@ -281,6 +281,7 @@ FileInspection inspect_file(const std::filesystem::path& path, const InspectionL
   FileInspection inspection;
   inspection.format = data.format;
   inspection.partial = data.partial;
+  inspection.segments = count_segments(path);
   for (DataVariable& variable : data.variables)
     if (inspection.time.empty() && variable.fault.empty() && variable.values.size() > 1 &&
         is_called_time(variable.name)) {

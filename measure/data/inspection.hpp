@@ -56,8 +56,9 @@ struct FileInspection {
   std::string time;              ///< variable that increases evenly ("t" or "time" in any case), if there is one
   std::optional<TimeAxis> axis;  ///< of it
   std::vector<DataFault> faults;
-  bool partial = false;    ///< qualities, axis and faults are of the first values
-  bool estimated = false;  ///< and the lengths of a CSV are estimated
+  bool partial = false;      ///< qualities, axis and faults are of the first values
+  bool estimated = false;    ///< and the lengths of a CSV are estimated
+  std::size_t segments = 1;  ///< that the file holds one behind the other; what is inspected is the first
 };
 
 /// What else looks at a file that has a time axis: as a campaign of one record, a free decay, whose responses are

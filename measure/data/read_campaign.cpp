@@ -116,6 +116,12 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
   const bool leaves = relative.is_absolute() || std::any_of(relative.begin(), relative.end(),
                                                             [](const fs::path& part) { return part == ".."; });
   if (leaves) table.fail("file", "'" + entry.file + "' leaves the campaign folder", "give a path inside it");
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(campaign.folder / relative, error),
+                 home = fs::weakly_canonical(campaign.folder, error);
+  if (!error && std::mismatch(home.begin(), home.end(), target.begin(), target.end()).first != home.end())
+    table.fail("file", "'" + entry.file + "' is a link that leaves the campaign folder",
+               "put the file itself there");
   std::error_code ignored;
   if (entry.file.empty() || !fs::is_regular_file(campaign.folder / relative, ignored))
     table.fail("file", "'" + entry.file + "' does not exist", "a file inside the campaign folder was expected");

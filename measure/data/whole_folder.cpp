@@ -4,89 +4,43 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
-#include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <mutex>
+#include <string>
 #include <system_error>
-#include <thread>
-#include <utility>
 #include <vector>
 
+#include "input/folder_lock.hpp"
 #include "input/input_error.hpp"
+#include "input/interruption.hpp"
 
 namespace secular {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Removes what is being built when the program is told to end: a handler may not, so that it wakes a thread that
-// does. A signal that was ignored before stays so; programs that are started from here know nothing of this.
-class Interruption {
- public:
-  static Interruption& instance() {
-    static Interruption* const only = new Interruption;  // its thread may outlive static objects
-    return *only;
+constexpr double longest_wait_s = 2;  // others hold the lock of the parent for a moment only
+
+// How the names of what is built beside the target begin.
+std::string unfinished(const fs::path& target) {
+  return fmt::format(".{}.unfinished-", target.filename().string());
+}
+
+// What a process that was killed has left. Who builds holds the lock of the folder.
+void remove_left_overs(const fs::path& target) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry(target.parent_path(), error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().filename().string().starts_with(unfinished(target))) found.push_back(entry->path());
+  for (const fs::path& folder : found) {
+    const FolderLock lock(folder);
+    if (lock.state() == FolderLock::State::taken)
+      throw InputError(target.string(), "", "another command is writing it",
+                       "wait until that has ended, or name another folder");
+    if (lock.state() == FolderLock::State::held) fs::remove_all(folder, error);
   }
-  std::mutex& guard() { return guard_; }
-  // With guard() held.
-  void add(const WholeFolder* folder) { unfinished_.push_back(folder); }
-  void take_out(const WholeFolder* folder) { std::erase(unfinished_, folder); }
-
- private:
-  Interruption() {
-    if (::pipe2(pipe_, O_CLOEXEC) != 0) return;
-    wake_ = pipe_[1];
-    std::thread([this] { wait(); }).detach();
-    struct sigaction action = {}, before = {};
-    action.sa_handler = [](int signal) {
-      const int error = errno;
-      const auto byte = static_cast<unsigned char>(signal);
-      [[maybe_unused]] const ssize_t written = ::write(wake_, &byte, 1);
-      errno = error;
-    };
-    ::sigemptyset(&action.sa_mask);
-    action.sa_flags = SA_RESTART;
-    for (const int signal : {SIGINT, SIGTERM})
-      if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
-        ::sigaction(signal, &action, nullptr);
-  }
-
-  void wait() {
-    unsigned char signal = 0;
-    ssize_t count = 0;
-    while ((count = ::read(pipe_[0], &signal, 1)) < 0 && errno == EINTR) {
-    }
-    if (count != 1) return;
-    const std::lock_guard lock(guard_);
-    for (const WholeFolder* folder : unfinished_) {
-      // Other threads may still be writing into it.
-      std::error_code error;
-      for (int attempt = 0; attempt < 100 && (attempt == 0 || fs::exists(folder->path(), error)); ++attempt) {
-        folder->abandon();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    }
-    struct sigaction usual = {};
-    usual.sa_handler = SIG_DFL;
-    ::sigaction(signal, &usual, nullptr);
-    ::kill(::getpid(), signal);
-    for (;;) ::pause();  // the guard is held: nothing is put in place any more
-  }
-
-  static inline int wake_ = -1;
-  int pipe_[2] = {-1, -1};
-  std::mutex guard_;
-  std::vector<const WholeFolder*> unfinished_;
-};
-
-// A name beside the target that nobody else has.
-fs::path beside(const fs::path& target, int attempt) {
-  return target.parent_path() /
-         fmt::format(".{}.unfinished-{}-{}", target.filename().string(), ::getpid(), attempt);
 }
 
 }  // namespace
@@ -101,16 +55,27 @@ WholeFolder::WholeFolder(const fs::path& target) : target_(fs::absolute(target).
   Interruption& interruption = Interruption::instance();
   const std::lock_guard lock(interruption.guard());
   fs::create_directories(target_.parent_path(), error);
-  for (int attempt = 0; !error && path_.empty(); ++attempt) {
-    const fs::path name = beside(target_, attempt);
-    if (fs::create_directory(name, error)) path_ = name;
+  if (!error) {
+    // Only one command at a time looks and begins.
+    const FolderLock beginning(target_.parent_path(), longest_wait_s);
+    remove_left_overs(target_);
+    for (int attempt = 0; !error && path_.empty(); ++attempt) {
+      const fs::path name =
+          target_.parent_path() / fmt::format("{}{}-{}", unfinished(target_), ::getpid(), attempt);
+      if (fs::create_directory(name, error)) path_ = name;
+    }
+    being_built_ = FolderLock(path_);
   }
   if (error) {
     abandon();
     throw InputError(target.string(), "", "cannot be created: " + error.message(),
                      "name a folder in a place that you may write to");
   }
-  interruption.add(this);
+  interruption.add(this, [this] {
+    abandon();
+    std::error_code ignored;
+    return !fs::exists(path_, ignored);
+  });
 }
 
 WholeFolder::~WholeFolder() {
@@ -132,30 +97,33 @@ void WholeFolder::write(const fs::path& file, const std::function<std::string()>
 }
 
 void WholeFolder::finish(bool replace) {
-  const std::lock_guard lock(Interruption::instance().guard());
-  const auto fail = [&](const std::error_code& error) {
-    throw InputError(target_.string(), "", "cannot be put in place: " + error.message(), "name a new folder");
-  };
+  {
+    const std::lock_guard lock(Interruption::instance().guard());
+    put_in_place(replace);
+    finished_ = true;
+  }
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);  // what was replaced
+}
+
+void WholeFolder::put_in_place(bool replace) const {
   std::error_code error;
   fs::rename(path_, target_, error);  // takes the place of an empty folder
-  if (error && replace && fs::is_directory(target_)) {
-    // Both names change at once. Where the file system cannot, the old folder steps aside and comes back if need
-    // be.
-    if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
-      error.clear();
-    } else {
-      const fs::path aside = path_.string() + "-replaced";
-      fs::rename(target_, aside, error);
-      if (error) fail(error);
-      fs::rename(path_, target_, error);
-      std::error_code ignored;
-      fs::rename(aside, error ? target_ : path_, ignored);
-    }
-    if (!error) fs::remove_all(path_, error);
-    error = {};
-  }
-  if (error) fail(error);
-  finished_ = true;
+  if (!error) return;
+  const auto fail = [&] {
+    throw InputError(target_.string(), "", "cannot be put in place: " + error.message(), "name a new folder");
+  };
+  if (!replace || !fs::is_directory(target_)) fail();
+  // Both names change at once. Where the file system cannot, the old folder steps aside and comes back if need be.
+  if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return;
+  const fs::path aside =
+      target_.parent_path() / fmt::format(".{}.replaced-{}", target_.filename().string(), ::getpid());
+  fs::rename(target_, aside, error);
+  if (error) fail();
+  fs::rename(path_, target_, error);
+  std::error_code ignored;
+  fs::rename(aside, error ? target_ : path_, ignored);
+  if (error) fail();
 }
 
 void WholeFolder::abandon() const {

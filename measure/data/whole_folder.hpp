@@ -4,12 +4,16 @@
 #include <functional>
 #include <string>
 
+#include "input/folder_lock.hpp"
+
 namespace secular {
 
 /// A folder that is built beside its target and becomes it, or leaves nothing: neither itself nor parents made for
-/// it, also where the program is interrupted (SIGINT, SIGTERM).
+/// it, also where the program is interrupted (Interruption). What a killed program has left of the same target is
+/// removed by the next one.
 class WholeFolder {
  public:
+  /// Throws InputError where the place cannot be written to, or another program is writing the same folder.
   explicit WholeFolder(const std::filesystem::path& target);
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;
@@ -29,7 +33,10 @@ class WholeFolder {
   void abandon() const;
 
  private:
+  void put_in_place(bool replace) const;
+
   std::filesystem::path target_, path_, made_;  // made_: the topmost parent that did not exist before
+  FolderLock being_built_;
   bool finished_ = false;
 };
 

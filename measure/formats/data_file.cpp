@@ -126,8 +126,15 @@ DataFile read_mat_file(const fs::path& path, const std::vector<std::string>& wan
   return with_variables(path, "MAT v5", read_mat(path, wanted, limit), limit);
 }
 
+DataFile read_lvm_segment(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit,
+                          std::size_t segment) {
+  DataFile data = with_variables(path, "LVM", read_lvm(path, wanted, limit, segment), limit);
+  data.segment = segment;
+  return data;
+}
+
 DataFile read_lvm_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
-  return with_variables(path, "LVM", read_lvm(path, wanted, limit), limit);
+  return read_lvm_segment(path, wanted, limit, 0);
 }
 
 struct Format {
@@ -256,12 +263,12 @@ DataVariable& DataFile::vector(const std::string& name) {
 }
 
 DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wanted, MissingNumbers missing,
-                        std::size_t limit, DecimalMark mark) {
+                        std::size_t limit, DecimalMark mark, std::size_t segment) {
   const Format* format = format_of(path);
   if (!format) return read_csv_file(path, wanted, missing, limit, mark);
   if (mark != DecimalMark::by_dialect)
     throw InputError("--decimal-mark", "", fmt::format("{} is no CSV", path.string()), "leave it out");
-  DataFile data = format->read(path, wanted, limit);
+  DataFile data = segment > 0 ? read_lvm_segment(path, wanted, limit, segment) : format->read(path, wanted, limit);
   if (missing != MissingNumbers::refuse) return data;
   for (const DataVariable& variable : data.variables)
     for (std::size_t i = 0; i < variable.values.size(); ++i)
@@ -269,6 +276,11 @@ DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wa
         throw InputError(data.file, fmt::format("variable {}, {}", variable.name, data.place.of(i)),
                          "is not a finite number", "cut the record around missing samples");
   return data;
+}
+
+std::size_t count_segments(const fs::path& path) {
+  const Format* format = format_of(path);
+  return format != nullptr && format->read == read_lvm_file ? count_lvm_segments(path) : 1;
 }
 
 std::vector<DataVariable> describe_data_file(const fs::path& path) {

@@ -46,6 +46,7 @@ struct DataFile {
   std::string format;  ///< "CSV", "MAT v5", "MAT v7.3", "HDF5", "UFF 58", "WAV"
   std::vector<DataVariable> variables;
   RowPlace place;
+  std::size_t segment = 0;         ///< which of count_segments()
   bool partial = false;            ///< only the first values were read; the length of a CSV is estimated then
   std::vector<double> last_row{};  ///< of a CSV read in part: by variable, empty if its end is damaged
 
@@ -62,10 +63,14 @@ struct DataFile {
 /// Reads the variables (values of `wanted` only; empty: of all; at most `limit` of each, and then nothing is read
 /// of the rest where the format lets it be skipped). The format is told by content, then by name. Throws InputError
 /// for a file of another format, a damaged one, and (MissingNumbers::refuse) a value that is no finite number. The
-/// decimal mark is that of a CSV.
+/// decimal mark is that of a CSV. `segment`: of a file that holds several records (count_segments).
 DataFile read_data_file(const std::filesystem::path& path, const std::vector<std::string>& wanted = {},
                         MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values,
-                        DecimalMark mark = DecimalMark::by_dialect);
+                        DecimalMark mark = DecimalMark::by_dialect, std::size_t segment = 0);
+
+/// How many records of the same channels the file holds, one behind the other: segments of an LVM file; of all
+/// others 1.
+std::size_t count_segments(const std::filesystem::path& path);
 
 /// Takes the columns of a CSV whose header states a known unit of what a channel measures to SI, and says so in
 /// `quantity` and `unit`, as readers of other formats do themselves: a campaign's own records are in SI, whatever

@@ -18,7 +18,8 @@ namespace secular {
 namespace {
 
 constexpr std::string_view lvm_begin = "LabVIEW Measurement", lvm_end_of_header = "***End_of_Header***",
-                           lvm_times = "X_Value", lvm_comment = "Comment";
+                           lvm_times = "X_Value", lvm_comment = "Comment",
+                           lvm_begin_special = "***Start_Special***", lvm_end_special = "***End_Special***";
 
 std::vector<std::string_view> lvm_fields(std::string_view line, char separator) {
   std::vector<std::string_view> fields;
@@ -45,11 +46,16 @@ struct LvmHeaders {
 
 class LvmReader {
  public:
-  LvmReader(const std::filesystem::path& path, std::size_t limit)
-      : file_(path.string()), mapped_(path), rest_(mapped_.bytes()), limit_(limit) {}
+  LvmReader(const std::filesystem::path& path, std::size_t limit, std::size_t segment)
+      : file_(path.string()), mapped_(path), rest_(mapped_.bytes()), limit_(limit), segment_(segment) {}
 
   std::vector<MatVariable> run() {
     read_headers();
+    for (std::size_t passed = 0; passed < segment_; ++passed) {
+      pass_over_rows();
+      headers_ = of_file_;  // what the next segment does not state is not the last one's
+      read_headers();
+    }
     read_names();
     read_rows();
     make_times();
@@ -63,13 +69,32 @@ class LvmReader {
 
   std::string_view next() {
     ++line_;
-    return next_line(rest_, '\n');
+    const std::string_view line = next_line(rest_, '\n');
+    if (!trimmed(line).starts_with(lvm_begin_special)) return line;
+    while (!rest_.empty()) {
+      ++line_;
+      if (trimmed(next_line(rest_, '\n')).starts_with(lvm_end_special)) return {};
+    }
+    refuse(fmt::format("the text ends within what begins with {}", lvm_begin_special),
+           fmt::format("a line {}", lvm_end_special));
+  }
+
+  // Whether the line is the first one of the header of another segment; it is not taken then.
+  bool begins_segment() {
+    std::string_view after = rest_;
+    const std::string_view line = trimmed(next_line(after, '\n'));
+    return lvm_fields(line, headers_.separator).front() == "Channels" || line.starts_with(lvm_end_of_header);
+  }
+
+  void pass_over_rows() {
+    while (!rest_.empty() && !begins_segment()) next();
   }
 
   // Up to the line of names: a header of the file and one of the segment.
   void read_headers() {
     while (!rest_.empty()) {
       const std::string_view line = trimmed(next());
+      if (line.starts_with(lvm_end_of_header) && of_file_.fields.empty()) of_file_ = headers_;
       if (line.empty() || line.starts_with(lvm_end_of_header)) continue;
       // Commas may part the fields of a file that says so in its second line or later.
       const char separator = line.starts_with("Separator") && line.ends_with("Comma") ? ',' : headers_.separator;
@@ -90,14 +115,26 @@ class LvmReader {
     names_.assign(fields.begin(), fields.end());
   }
 
+  // With times for every channel, what a header states of a channel may stand above its column, with nothing above
+  // the times between, or in the order of the channels.
+  bool units_stand_above_columns() const {
+    const auto stated = headers_.fields.find("Y_Unit_Label");
+    if (std::count(names_.begin(), names_.end(), lvm_times) < 2 || stated == headers_.fields.end()) return false;
+    for (std::size_t column = 1; column < names_.size(); ++column)
+      if (names_[column] == lvm_times && column - 1 < stated->second.size() && !stated->second[column - 1].empty())
+        return false;
+    return true;
+  }
+
   void read_names() {
     std::size_t channel = 0, time = 0;
+    const bool above_columns = units_stand_above_columns();
     for (const std::string& name : names_) {
       MatVariable& variable = variables_.emplace_back();
       const bool is_time = name == lvm_times;
       variable.path = !is_time ? name : ++time > 1 ? fmt::format("{} {}", lvm_times, time) : "t";
       variable.type = "number";
-      variable.unit = is_time ? "s" : headers_.at("Y_Unit_Label", channel);
+      variable.unit = is_time ? "s" : headers_.at("Y_Unit_Label", above_columns ? variables_.size() - 2 : channel);
       if (!is_time) ++channel;
       if (name.empty()) refuse("a column has no name", "every channel has a name");
       const auto same = std::find_if(variables_.begin(), variables_.end() - 1,
@@ -117,13 +154,10 @@ class LvmReader {
   }
 
   void read_rows() {
-    while (!rest_.empty()) {
+    while (!rest_.empty() && !begins_segment()) {
       const std::string_view line = next();
       if (trimmed(line).empty()) continue;
       const std::vector<std::string_view> fields = lvm_fields(line, headers_.separator);
-      if (fields.front() == "Channels" || fields.front().starts_with(lvm_end_of_header))
-        refuse("begins a second segment, which is a record of its own",
-               "save every segment to a file of its own, or with one header only");
       if (fields.size() < names_.size())
         refuse(fmt::format("has {} fields, the names are {}", fields.size(), names_.size()),
                "every row has one number for every column");
@@ -174,9 +208,9 @@ class LvmReader {
   const std::string file_;
   MappedFile mapped_;
   std::string_view rest_;
-  const std::size_t limit_;
+  const std::size_t limit_, segment_;
   std::size_t line_ = 0, rows_ = 0;
-  LvmHeaders headers_;
+  LvmHeaders headers_, of_file_;
   std::vector<std::string> names_;
   std::vector<MatVariable> variables_;
 };
@@ -184,15 +218,24 @@ class LvmReader {
 }  // namespace
 
 std::vector<MatVariable> read_lvm(const std::filesystem::path& path, const std::vector<std::string>& wanted,
-                                  std::size_t limit) {
+                                  std::size_t limit, std::size_t segment) {
   if (!looks_like_lvm(path))
     throw InputError(path.string(), "line 1", "is not the begin of an LVM file",
                      fmt::format("{} was expected", lvm_begin));
-  std::vector<MatVariable> variables = LvmReader(path, limit).run();
+  std::vector<MatVariable> variables = LvmReader(path, limit, segment).run();
   for (MatVariable& variable : variables)
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), variable.path) == wanted.end())
       variable.values.clear();
   return variables;
+}
+
+std::size_t count_lvm_segments(const std::filesystem::path& path) {
+  const MappedFile mapped(path);
+  std::string_view rest = mapped.bytes();
+  std::size_t headers = 0;
+  while (!rest.empty())
+    if (trimmed(next_line(rest, '\n')).starts_with(lvm_end_of_header)) ++headers;
+  return headers < 2 ? 1 : headers - 1;  // the first one is the file's
 }
 
 bool looks_like_lvm(const std::filesystem::path& path) {

@@ -66,7 +66,7 @@ const FolderTable& folder_table() {
        {"input", "numerics", "report", "perturb", "estimator/model", "generated", "codegen/canonical",
         "codegen/runtime", "measure", "measure/data", "measure/disturbances", "measure/signal", "measure/observe",
         "estimator/identification", "motion/correction"}},
-      {"app/blind", {"blind", "app/shared"}},
+      {"app/blind", {"input", "blind", "app/shared"}},
       {"app/derive", {"perturb", "codegen/document", "app/shared"}},
       {"app/diagnose",
        {"input", "numerics", "report", "estimator/model", "measure/data", "measure/disturbances",

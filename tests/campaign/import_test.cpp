@@ -90,7 +90,7 @@ TEST_F(Import, AsksForWhatFilesCannotSayByTheOptionsName) {
   EXPECT_TRUE(contains(complaint(), "sampled at 100 Hz; --sample-rate says 200"));
   options_ = good;
   options_.frequencies_hz = {1, 2};
-  EXPECT_TRUE(contains(complaint(), "--frequency: has 2 values for 1 files"));
+  EXPECT_TRUE(contains(complaint(), "--frequency: has 2 values for 1 records"));
   options_.frequencies_hz = {50};
   EXPECT_TRUE(contains(complaint(), "half the sample rate"));
   options_ = good;

@@ -24,6 +24,21 @@ TEST(NumberFormat, UsesPowersOfTenOutsideTheOrdinaryRange) {
   EXPECT_EQ(format_number(0.00099996, 4), "0.001000");  // rounds up into the ordinary range
 }
 
+TEST(NumberFormat, IsPlainForPrograms) {
+  {
+    const PlainNumbers plain;
+    EXPECT_EQ(format_number(-0.02), "-0.02000");
+    EXPECT_EQ(format_number(-1.3e-6, 2), "-1.3e-06");
+    EXPECT_EQ(format_number(2.5e7, 2), "2.5e+07");
+    EXPECT_EQ(format_uncertain(-0.002, 0.042), "-0.002(42)");
+    EXPECT_EQ(format_uncertain(0.222, 0.0013, UncertaintyStyle::plus_minus), "0.2220 +- 0.0013");
+    EXPECT_EQ(format_percent(-0.5), "-50.0 %");
+    EXPECT_EQ(format_quantity(77.85, 0.012, "rad/s^2"), "77.850(12) rad/s^2");
+    EXPECT_EQ(format_number(-INFINITY), "-inf");
+  }
+  EXPECT_EQ(format_number(-1.3e-6, 2), "−1.3\u202F×\u202F10⁻⁶");
+}
+
 TEST(NumberFormat, NamesWhatIsNotANumber) {
   EXPECT_EQ(format_number(nan), "n/a");
   EXPECT_EQ(format_number(-infinity), "−∞");

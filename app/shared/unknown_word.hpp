@@ -1,0 +1,18 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace secular::app {
+
+/// That of `known` which `word` is a slip of, if there is one: nearest by letters added, left out, exchanged or
+/// swapped with their neighbour (Damerau 1964, of adjacent swaps), not more than a third of the word.
+std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known);
+
+/// After parsing has failed: what it says of the first word that no command of `program` knows, one line with the
+/// command or option that may have been meant; empty where every word is known.
+std::string unknown_word(const CLI::App& program);
+
+}  // namespace secular::app
