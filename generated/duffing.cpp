@@ -401,7 +401,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "duffing",
   .source = "Duffing oscillator with a quadratic term",
-  .fingerprint = "e9c27fdbfee4d6f4",
+  .fingerprint = "182e356c564d1d03",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

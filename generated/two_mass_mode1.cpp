@@ -237,7 +237,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "two_mass_mode1",
   .source = "S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (5.1)-(5.5)",
-  .fingerprint = "2c4e72cf58299311",
+  .fingerprint = "a3346d9e677791b0",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

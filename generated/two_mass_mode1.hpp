@@ -344,20 +344,22 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic Omega of v: functions of the frequencies alone. 8 operations.
+/// What multiplies the 2 terms of the harmonic Omega of v: functions of the frequencies alone. 9 operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(2.0) * omega0_2 - Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  factor[0] = per_0 * per_1 / Scalar(2.0);
   factor[1] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
 }
 
 /// Rows of the harmonic Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(Omega)*t) in v = 1/(2*omega0^2 - 2*Omega^2)*eta1*F + 1/(3*omega0^2)*alpha_q*A_v^2
+/// amplitude of exp(i*(Omega)*t) in v = 1/(2*(omega0 + Omega)*(omega0 - Omega))*eta1*F +
+/// 1/(3*omega0^2)*alpha_q*A_v^2
 /// 2 columns; per observation at most 4 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1272,22 +1274,22 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 9>{mode}, columns);
 }
 
-/// What multiplies the 3 terms of the harmonic 0 of v: functions of the frequencies alone. 13 operations.
+/// What multiplies the 3 terms of the harmonic 0 of v: functions of the frequencies alone. 9 operations.
 template <class Scalar>
 void factors_1([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
-  factor[1] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 - Omega);
+  factor[0] = per_0 / (Scalar(2.0) * Omega);
+  factor[1] = per_0 / (Scalar(2.0) * Omega);
   factor[2] = -Scalar(2.0) / omega0_2;
 }
 
 /// Rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in v = 1/(4*omega0*Omega - 2*Omega^2)*eta2*conj(A_v)*F + 1/(4*omega0*Omega -
-/// 2*Omega^2)*eta2*A_v*F - 2/omega0^2*alpha_0*A_v*conj(A_v)
+/// amplitude of exp(i*(0)*t) in v = 1/(2*Omega*(2*omega0 - Omega))*eta2*conj(A_v)*F + 1/(2*Omega*(2*omega0 -
+/// Omega))*eta2*A_v*F - 2/omega0^2*alpha_0*A_v*conj(A_v)
 /// 2 columns; per observation at most 8 products and sums of complex numbers.
 template <class Factors>
 void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1324,7 +1326,7 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 3>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega0+Omega of v: functions of the frequencies alone. 9
+/// What multiplies the 2 terms of the harmonic omega0+Omega of v: functions of the frequencies alone. 8
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
@@ -1332,13 +1334,13 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = -Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  factor[0] = -per_0 / (Scalar(2.0) * Omega);
   factor[1] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
 }
 
 /// Rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in v = -1/(4*omega0*Omega + 2*Omega^2)*eta2*A_v*F +
+/// amplitude of exp(i*(omega0 + Omega)*t) in v = -1/(2*Omega*(2*omega0 + Omega))*eta2*A_v*F +
 /// 1/(3*omega0^2)*alpha_q*A_v^2
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>

@@ -103,6 +103,7 @@ void emit_functions(Emitter& emitter) {
   const CanonicalModel& model = emitter.model;
   CodeText& code = emitter.code;
   emit_motion(emitter);
+  if (!emitter.units) emit_shared_lumps(emitter);
   for (const CanonicalCase& c : model.cases) {
     code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
     if (emitter.units)
@@ -172,6 +173,7 @@ GeneratedFile lumps_unit(const CanonicalModel& model) {
   for (const char* const name : {"<cstddef>", "<numbers>"}) code.line(fmt::format("#include {}", name));
   code.line().line("#include \"estimator/model/integer_power.hpp\"").line();
   code.line(fmt::format("namespace secular::generated::{} {{", safe_namespace(model.name))).line();
+  emit_shared_lumps(emitter);
   for (const CanonicalCase& c : model.cases) {
     code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
     emit_lumps(emitter, c);

@@ -29,7 +29,9 @@ class Emitter {
 
 /// mass_matrix, accelerations, acceleration_by_state, acceleration_by_parameters.
 void emit_motion(Emitter& emitter);
-/// evaluate_lumps, evaluate_lumps_jacobian.
+/// Lumps with divisors, lump_N: each once, whatever cases have it.
+void emit_shared_lumps(Emitter& emitter);
+/// evaluate_lumps, evaluate_lumps_jacobian of one case, after the shared lumps.
 void emit_lumps(Emitter& emitter, const CanonicalCase& resonance);
 /// factors_N, columns_N, column_slopes_N of one block.
 void emit_block(Emitter& emitter, const CanonicalCase& resonance, std::size_t block);
