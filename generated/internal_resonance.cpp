@@ -344,16 +344,16 @@ constexpr RegressorBlock case_2_blocks[] = {
   {BlockKind::harmonic, "harmonic omega1+omega2 of x", 0, 1, case_2_block_5_phase, case_2_block_5_lumps, column_function<one_to_three::columns_5, 2, 1, 1>, column_slope_function<one_to_three::column_slopes_5, 2, 1, 1>},
   {BlockKind::harmonic, "harmonic -omega1+2*omega2 of x", 0, 2, case_2_block_6_phase, case_2_block_6_lumps, column_function<one_to_three::columns_6, 2, 1, 2>, column_slope_function<one_to_three::column_slopes_6, 2, 1, 2>},
   {BlockKind::harmonic, "harmonic omega2 of x", 0, 2, case_2_block_7_phase, case_2_block_7_lumps, column_function<one_to_three::columns_7, 2, 1, 3>, column_slope_function<one_to_three::column_slopes_7, 2, 1, 3>},
-  {BlockKind::harmonic, "harmonic 3*omega2 of x", 0, 2, case_2_block_8_phase, case_2_block_8_lumps, column_function<one_to_three::columns_8, 2, 1, 1>, column_slope_function<one_to_three::column_slopes_8, 2, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega1+2*omega2 of x", 0, 2, case_2_block_9_phase, case_2_block_9_lumps, column_function<one_to_three::columns_9, 2, 1, 1>, column_slope_function<one_to_three::column_slopes_9, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega2 of x", 0, 2, case_2_block_8_phase, case_2_block_8_lumps, column_function<one_to_two::columns_6, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_6, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic omega1+2*omega2 of x", 0, 2, case_2_block_9_phase, case_2_block_9_lumps, column_function<one_to_two::columns_7, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_7, 2, 1, 1>},
   {BlockKind::harmonic, "harmonic -omega1+omega2 of y", 1, 1, case_2_block_10_phase, case_2_block_10_lumps, column_function<one_to_three::columns_10, 2, 1, 2>, column_slope_function<one_to_three::column_slopes_10, 2, 1, 2>},
   {BlockKind::harmonic, "harmonic 0 of y", 1, 1, case_2_block_11_phase, case_2_block_11_lumps, column_function<one_to_three::columns_11, 2, 1, 2>, column_slope_function<one_to_three::column_slopes_11, 2, 1, 2>},
   {BlockKind::harmonic, "harmonic 2*omega2 of y", 1, 1, case_2_block_12_phase, case_2_block_12_lumps, column_function<one_to_three::columns_12, 2, 1, 1>, column_slope_function<one_to_three::column_slopes_12, 2, 1, 1>},
   {BlockKind::harmonic, "harmonic omega1+omega2 of y", 1, 1, case_2_block_13_phase, case_2_block_13_lumps, column_function<one_to_three::columns_13, 2, 1, 1>, column_slope_function<one_to_three::column_slopes_13, 2, 1, 1>},
   {BlockKind::harmonic, "harmonic Omega of y", 1, 2, case_2_block_14_phase, case_2_block_14_lumps, column_function<one_to_three::columns_14, 2, 1, 4>, column_slope_function<one_to_three::column_slopes_14, 2, 1, 4>},
   {BlockKind::harmonic, "harmonic -omega1+2*omega2 of y", 1, 2, case_2_block_15_phase, case_2_block_15_lumps, column_function<one_to_three::columns_15, 2, 1, 2>, column_slope_function<one_to_three::column_slopes_15, 2, 1, 2>},
-  {BlockKind::harmonic, "harmonic 3*omega2 of y", 1, 2, case_2_block_16_phase, case_2_block_16_lumps, column_function<one_to_three::columns_16, 2, 1, 1>, column_slope_function<one_to_three::column_slopes_16, 2, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega1+2*omega2 of y", 1, 2, case_2_block_17_phase, case_2_block_17_lumps, column_function<one_to_three::columns_17, 2, 1, 1>, column_slope_function<one_to_three::column_slopes_17, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega2 of y", 1, 2, case_2_block_16_phase, case_2_block_16_lumps, column_function<one_to_two::columns_12, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_12, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic omega1+2*omega2 of y", 1, 2, case_2_block_17_phase, case_2_block_17_lumps, column_function<one_to_two::columns_13, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_13, 2, 1, 1>},
 };
 
 constexpr int case_3_relations[] = {-2, 1, 0};
@@ -446,14 +446,14 @@ constexpr RegressorBlock case_3_blocks[] = {
   {BlockKind::harmonic, "harmonic 2*omega2 of x", 0, 1, case_3_block_3_phase, case_3_block_3_lumps, column_function<free_one_to_two::columns_3, 2, 1, 3>, column_slope_function<free_one_to_two::column_slopes_3, 2, 1, 3>},
   {BlockKind::harmonic, "harmonic omega1+omega2 of x", 0, 1, case_3_block_4_phase, case_3_block_4_lumps, column_function<free_one_to_two::columns_4, 2, 1, 4>, column_slope_function<free_one_to_two::column_slopes_4, 2, 1, 4>},
   {BlockKind::harmonic, "harmonic omega2 of x", 0, 1, case_3_block_5_phase, case_3_block_5_lumps, column_function<free_one_to_two::columns_5, 2, 1, 4>, column_slope_function<free_one_to_two::column_slopes_5, 2, 1, 4>},
-  {BlockKind::harmonic, "harmonic 3*omega2 of x", 0, 2, case_3_block_6_phase, case_3_block_6_lumps, column_function<free_one_to_two::columns_6, 2, 1, 1>, column_slope_function<free_one_to_two::column_slopes_6, 2, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega1+2*omega2 of x", 0, 2, case_3_block_7_phase, case_3_block_7_lumps, column_function<free_one_to_two::columns_7, 2, 1, 1>, column_slope_function<free_one_to_two::column_slopes_7, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega2 of x", 0, 2, case_3_block_6_phase, case_3_block_6_lumps, column_function<one_to_two::columns_6, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_6, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic omega1+2*omega2 of x", 0, 2, case_3_block_7_phase, case_3_block_7_lumps, column_function<one_to_two::columns_7, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_7, 2, 1, 1>},
   {BlockKind::harmonic, "harmonic omega1 of y", 1, 1, case_3_block_8_phase, case_3_block_8_lumps, column_function<free_one_to_two::columns_8, 2, 1, 5>, column_slope_function<free_one_to_two::column_slopes_8, 2, 1, 5>},
   {BlockKind::harmonic, "harmonic 0 of y", 1, 1, case_3_block_9_phase, case_3_block_9_lumps, column_function<free_one_to_two::columns_9, 2, 1, 3>, column_slope_function<free_one_to_two::column_slopes_9, 2, 1, 3>},
   {BlockKind::harmonic, "harmonic 2*omega2 of y", 1, 1, case_3_block_10_phase, case_3_block_10_lumps, column_function<free_one_to_two::columns_10, 2, 1, 3>, column_slope_function<free_one_to_two::column_slopes_10, 2, 1, 3>},
   {BlockKind::harmonic, "harmonic omega1+omega2 of y", 1, 1, case_3_block_11_phase, case_3_block_11_lumps, column_function<free_one_to_two::columns_11, 2, 1, 5>, column_slope_function<free_one_to_two::column_slopes_11, 2, 1, 5>},
-  {BlockKind::harmonic, "harmonic 3*omega2 of y", 1, 2, case_3_block_12_phase, case_3_block_12_lumps, column_function<free_one_to_two::columns_12, 2, 1, 1>, column_slope_function<free_one_to_two::column_slopes_12, 2, 1, 1>},
-  {BlockKind::harmonic, "harmonic omega1+2*omega2 of y", 1, 2, case_3_block_13_phase, case_3_block_13_lumps, column_function<free_one_to_two::columns_13, 2, 1, 1>, column_slope_function<free_one_to_two::column_slopes_13, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega2 of y", 1, 2, case_3_block_12_phase, case_3_block_12_lumps, column_function<one_to_two::columns_12, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_12, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic omega1+2*omega2 of y", 1, 2, case_3_block_13_phase, case_3_block_13_lumps, column_function<one_to_two::columns_13, 2, 1, 1>, column_slope_function<one_to_two::column_slopes_13, 2, 1, 1>},
 };
 
 constexpr CompiledCase cases[] = {

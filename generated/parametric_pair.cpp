@@ -273,9 +273,9 @@ constexpr RegressorBlock case_2_blocks[] = {
   {BlockKind::modulation, "modulation of y", 1, 0, {}, case_2_block_1_lumps, column_function<difference::columns_1, 2, 1, 4>, column_slope_function<difference::column_slopes_1, 2, 1, 4>},
   {BlockKind::harmonic, "harmonic omega2+Omega of x", 0, 1, case_2_block_2_phase, case_2_block_2_lumps, column_function<difference::columns_2, 2, 1, 2>, column_slope_function<difference::column_slopes_2, 2, 1, 2>},
   {BlockKind::harmonic, "harmonic omega1+2*omega2 of x", 0, 1, case_2_block_3_phase, case_2_block_3_lumps, column_function<difference::columns_3, 2, 1, 1>, column_slope_function<difference::column_slopes_3, 2, 1, 1>},
-  {BlockKind::harmonic, "harmonic 3*omega1 of x", 0, 1, case_2_block_4_phase, case_2_block_4_lumps, column_function<difference::columns_4, 2, 1, 1>, column_slope_function<difference::column_slopes_4, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega1 of x", 0, 1, case_2_block_4_phase, case_2_block_4_lumps, column_function<additive::columns_4, 2, 1, 1>, column_slope_function<additive::column_slopes_4, 2, 1, 1>},
   {BlockKind::harmonic, "harmonic -omega1+Omega of y", 1, 1, case_2_block_5_phase, case_2_block_5_lumps, column_function<difference::columns_5, 2, 1, 2>, column_slope_function<difference::column_slopes_5, 2, 1, 2>},
-  {BlockKind::harmonic, "harmonic 3*omega2 of y", 1, 1, case_2_block_6_phase, case_2_block_6_lumps, column_function<difference::columns_6, 2, 1, 1>, column_slope_function<difference::column_slopes_6, 2, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega2 of y", 1, 1, case_2_block_6_phase, case_2_block_6_lumps, column_function<additive::columns_6, 2, 1, 1>, column_slope_function<additive::column_slopes_6, 2, 1, 1>},
   {BlockKind::harmonic, "harmonic 2*omega1+omega2 of y", 1, 1, case_2_block_7_phase, case_2_block_7_lumps, column_function<difference::columns_7, 2, 1, 1>, column_slope_function<difference::column_slopes_7, 2, 1, 1>},
 };
 

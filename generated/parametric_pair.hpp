@@ -3672,44 +3672,6 @@ inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega1 of x: functions of the frequencies alone. 3 operations.
-template <class Scalar>
-void factors_4([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(1.0) / (Scalar(8.0) * omega1_2);
-}
-
-/// Rows of the harmonic 3*omega1 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega1)*t) in x = 1/(8*omega1^2)*b1*A_x^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * A_x));  // b1
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_4(const BatchArrays& data, double* const* columns) {
-  rows_4(data, FactorValues<factors_4<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 1>{mode}, columns);
-}
-
 /// What multiplies the 2 terms of the harmonic -omega1+Omega of y: functions of the frequencies alone. 12
 /// operations.
 template <class Scalar>
@@ -3762,44 +3724,6 @@ inline void columns_5(const BatchArrays& data, double* const* columns) {
 inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 2>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 3*omega2 of y: functions of the frequencies alone. 3 operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(1.0) / (Scalar(8.0) * omega2_2);
-}
-
-/// Rows of the harmonic 3*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in y = 1/(8*omega2^2)*b5*A_y^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_y * A_y * A_y));  // b5
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_6(data, FactorSlopes<factors_6<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic 2*omega1+omega2 of y: functions of the frequencies alone. 4

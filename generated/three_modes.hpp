@@ -3765,47 +3765,6 @@ inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_6(data, FactorSlopes<factors_6<DualNumber>, 3, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic -2*omega1+omega2 of v1: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_7([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic -2*omega1+omega2 of v1: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-2*omega1 + omega2)*t) in v1 = harmonic_re_v1_A_v2_conjA_v12*conj(A_v1)^2*A_v2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    const Complex conj_A_v1 = conjugate(A_v1);
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (conj_A_v1 * conj_A_v1 * A_v2));  // harmonic_re_v1_A_v2_conjA_v12
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_7(const BatchArrays& data, double* const* columns) {
-  rows_7(data, FactorValues<factors_7<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
 /// What multiplies the 1 terms of the harmonic -omega1+2*omega3 of v1: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
@@ -3842,47 +3801,6 @@ inline void columns_8(const BatchArrays& data, double* const* columns) {
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic -omega1+2*omega2 of v1: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_9([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic -omega1+2*omega2 of v1: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in v1 = harmonic_re_v1_A_v22_conjA_v1*conj(A_v1)*A_v2^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    const Complex conj_A_v1 = conjugate(A_v1);
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (conj_A_v1 * A_v2 * A_v2));  // harmonic_re_v1_A_v22_conjA_v1
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_9(const BatchArrays& data, double* const* columns) {
-  rows_9(data, FactorValues<factors_9<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -4056,53 +3974,6 @@ inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega2 of v1: functions of the frequencies alone. 19
-/// operations.
-template <class Scalar>
-void factors_13([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega3 = natural_frequency[2];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega3_2 = omega3 * omega3;
-  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(3.0) * omega2);
-  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(3.0) * omega2);
-  const Scalar per_2 = Scalar(1.0) / (Scalar(8.0) * omega2_2 - Scalar(3.0) * omega3_2);
-  factor[0] = (-omega1_2 * omega3_2 + omega2_2 * omega3_2) * per_0 * per_1 * per_2;
-}
-
-/// Rows of the harmonic 3*omega2 of v1: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in v1 = (-omega1^2*omega3^2 + omega2^2*omega3^2)/((omega1 +
-/// 3*omega2)*(omega1 - 3*omega2)*(8*omega2^2 - 3*omega3^2))*harmonic_re_v1_A_v22_conjA_v2*A_v2^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_v2 * A_v2 * A_v2));  // harmonic_re_v1_A_v22_conjA_v2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_13(const BatchArrays& data, double* const* columns) {
-  rows_13(data, FactorValues<factors_13<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_13(data, FactorSlopes<factors_13<DualNumber>, 3, 1, 1>{mode}, columns);
-}
-
 /// What multiplies the 1 terms of the harmonic omega1+2*omega3 of v1: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
@@ -4253,43 +4124,6 @@ inline void columns_16(const BatchArrays& data, double* const* columns) {
 inline void column_slopes_16(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   rows_16(data, FactorSlopes<factors_16<DualNumber>, 3, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 3*omega1 of v1: functions of the frequencies alone. 0 operations.
-template <class Scalar>
-void factors_17([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 3*omega1 of v1: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega1)*t) in v1 = harmonic_re_v1_A_v13*A_v1^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_17(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_v1 * A_v1 * A_v1));  // harmonic_re_v1_A_v13
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_17(const BatchArrays& data, double* const* columns) {
-  rows_17(data, FactorValues<factors_17<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_17(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// What multiplies the 1 terms of the harmonic -omega1+omega3 of v2: functions of the frequencies alone. 7
@@ -4468,47 +4302,6 @@ inline void column_slopes_21(const BatchArrays& data, [[maybe_unused]] std::size
   rows_21(data, FactorSlopes<factors_21<DualNumber>, 3, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic -2*omega1+omega2 of v2: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_22([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic -2*omega1+omega2 of v2: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-2*omega1 + omega2)*t) in v2 = harmonic_re_v2_A_v2_conjA_v12*conj(A_v1)^2*A_v2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_22(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    const Complex conj_A_v1 = conjugate(A_v1);
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (conj_A_v1 * conj_A_v1 * A_v2));  // harmonic_re_v2_A_v2_conjA_v12
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_22(const BatchArrays& data, double* const* columns) {
-  rows_22(data, FactorValues<factors_22<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_22(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
 /// What multiplies the 1 terms of the harmonic -omega1+2*omega3 of v2: functions of the frequencies alone. 0
 /// operations.
 template <class Scalar>
@@ -4548,65 +4341,6 @@ inline void column_slopes_23(const BatchArrays& data, [[maybe_unused]] std::size
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic -omega1+2*omega2 of v2: functions of the frequencies alone. 41
-/// operations.
-template <class Scalar>
-void factors_24([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega3 = natural_frequency[2];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega3_2 = omega3 * omega3;
-  const Scalar omega3_3 = omega3_2 * omega3;
-  const Scalar omega3_4 = omega3_3 * omega3;
-  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2 + omega3);
-  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2 - omega3);
-  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(3.0) * omega2);
-  const Scalar per_3 = Scalar(1.0) / (Scalar(8.0) * omega2_2 - Scalar(3.0) * omega3_2);
-  factor[0] = (omega1_3 * omega3_2 - omega1_2 * omega2 * omega3_2 + Scalar(7.0) * omega1 * omega2_2 * omega3_2
-      - Scalar(3.0) * omega1 * omega3_4 + Scalar(9.0) * omega2_3 * omega3_2
-      - Scalar(3.0) * omega2 * omega3_4) * per_0 * per_1 * per_2 * per_3;
-}
-
-/// Rows of the harmonic -omega1+2*omega2 of v2: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in v2 = (omega1^3*omega3^2 - omega1^2*omega2*omega3^2 +
-/// 7*omega1*omega2^2*omega3^2 - 3*omega1*omega3^4 + 9*omega2^3*omega3^2 - 3*omega2*omega3^4)/((omega1 - omega2 +
-/// omega3)*(omega1 - omega2 - omega3)*(omega1 - 3*omega2)*(8*omega2^2 -
-/// 3*omega3^2))*harmonic_re_v1_A_v22_conjA_v2*conj(A_v1)*A_v2^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_24(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    const Complex conj_A_v1 = conjugate(A_v1);
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (conj_A_v1 * A_v2 * A_v2));  // harmonic_re_v1_A_v22_conjA_v2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_24(const BatchArrays& data, double* const* columns) {
-  rows_24(data, FactorValues<factors_24<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_24(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_24(data, FactorSlopes<factors_24<DualNumber>, 3, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic -omega2+2*omega3 of v2: functions of the frequencies alone. 0
@@ -4685,43 +4419,6 @@ inline void columns_26(const BatchArrays& data, double* const* columns) {
 
 /// columns[j][i] = d(column j)/d(natural frequency of `mode`).
 inline void column_slopes_26(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 3*omega2 of v2: functions of the frequencies alone. 0 operations.
-template <class Scalar>
-void factors_27([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 3*omega2 of v2: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in v2 = harmonic_re_v2_A_v23*A_v2^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_27(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_v2 * A_v2 * A_v2));  // harmonic_re_v2_A_v23
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_27(const BatchArrays& data, double* const* columns) {
-  rows_27(data, FactorValues<factors_27<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_27(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
@@ -4954,103 +4651,6 @@ inline void column_slopes_31(const BatchArrays& data, [[maybe_unused]] std::size
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega1 of v2: functions of the frequencies alone. 29
-/// operations.
-template <class Scalar>
-void factors_32([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega3 = natural_frequency[2];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega3_2 = omega3 * omega3;
-  const Scalar per_0 = Scalar(1.0) / (Scalar(9.0) * omega1_2 - Scalar(2.0) * omega1 * omega2 + omega2_2
-      - Scalar(3.0) * omega3_2);
-  const Scalar per_1 = Scalar(1.0) / (Scalar(3.0) * omega1 + omega2);
-  factor[0] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(3.0) * omega1 * omega2_2 - omega1 * omega3_2
-      - omega2_3 + omega2 * omega3_2) * per_0 * per_1;
-}
-
-/// Rows of the harmonic 3*omega1 of v2: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega1)*t) in v2 = (omega1^3 - 3*omega1^2*omega2 + 3*omega1*omega2^2 - omega1*omega3^2
-/// - omega2^3 + omega2*omega3^2)/((9*omega1^2 - 2*omega1*omega2 + omega2^2 - 3*omega3^2)*(3*omega1 +
-/// omega2))*harmonic_re_v1_A_v2_conjA_v12*A_v1^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_32(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_v1 * A_v1 * A_v1));  // harmonic_re_v1_A_v2_conjA_v12
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_32(const BatchArrays& data, double* const* columns) {
-  rows_32(data, FactorValues<factors_32<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_32(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_32(data, FactorSlopes<factors_32<DualNumber>, 3, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic -omega1+omega2 of v3: functions of the frequencies alone. 7
-/// operations.
-template <class Scalar>
-void factors_33([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega3 = natural_frequency[2];
-  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2 + omega3);
-  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2 - omega3);
-  factor[0] = per_0 * per_1;
-}
-
-/// Rows of the harmonic -omega1+omega2 of v3: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + omega2)*t) in v3 = 1/((omega1 - omega2 + omega3)*(omega1 - omega2 -
-/// omega3))*a123*conj(A_v1)*A_v2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_33(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    const Complex conj_A_v1 = conjugate(A_v1);
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (conj_A_v1 * A_v2));  // a123
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_33(const BatchArrays& data, double* const* columns) {
-  rows_33(data, FactorValues<factors_33<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_33(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_33(data, FactorSlopes<factors_33<DualNumber>, 3, 1, 1>{mode}, columns);
-}
-
 /// What multiplies the 3 terms of the harmonic 0 of v3: functions of the frequencies alone. 4 operations.
 template <class Scalar>
 void factors_34([[maybe_unused]] const Scalar* natural_frequency,
@@ -5141,46 +4741,6 @@ inline void column_slopes_35(const BatchArrays& data, [[maybe_unused]] std::size
   rows_35(data, FactorSlopes<factors_35<DualNumber>, 3, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*omega2 of v3: functions of the frequencies alone. 7 operations.
-template <class Scalar>
-void factors_36([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega3 = natural_frequency[2];
-  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega2 + omega3);
-  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega2 - omega3);
-  factor[0] = per_0 * per_1;
-}
-
-/// Rows of the harmonic 2*omega2 of v3: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega2)*t) in v3 = 1/((2*omega2 + omega3)*(2*omega2 - omega3))*a223*A_v2^2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_36(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v2 = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_v2 * A_v2));  // a223
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_36(const BatchArrays& data, double* const* columns) {
-  rows_36(data, FactorValues<factors_36<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_36(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_36(data, FactorSlopes<factors_36<DualNumber>, 3, 1, 1>{mode}, columns);
-}
-
 /// What multiplies the 1 terms of the harmonic omega1+omega2 of v3: functions of the frequencies alone. 7
 /// operations.
 template <class Scalar>
@@ -5224,46 +4784,6 @@ inline void columns_37(const BatchArrays& data, double* const* columns) {
 inline void column_slopes_37(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   rows_37(data, FactorSlopes<factors_37<DualNumber>, 3, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega1 of v3: functions of the frequencies alone. 7 operations.
-template <class Scalar>
-void factors_38([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega3 = natural_frequency[2];
-  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega3);
-  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega3);
-  factor[0] = per_0 * per_1;
-}
-
-/// Rows of the harmonic 2*omega1 of v3: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega1)*t) in v3 = 1/((2*omega1 + omega3)*(2*omega1 - omega3))*a113*A_v1^2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_38(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1], data.natural_frequency[2]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v1 = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_v1 * A_v1));  // a113
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_38(const BatchArrays& data, double* const* columns) {
-  rows_38(data, FactorValues<factors_38<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_38(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_38(data, FactorSlopes<factors_38<DualNumber>, 3, 1, 1>{mode}, columns);
 }
 
 /// What multiplies the 1 terms of the harmonic -2*omega1+omega3 of v3: functions of the frequencies alone. 0
