@@ -90,9 +90,9 @@ constexpr int case_1_block_3_lumps[] = {4};
 constexpr int case_1_block_3_phase[] = {3, 0};
 constexpr RegressorBlock case_1_blocks[] = {
   {BlockKind::modulation, "modulation of x", 0, 0, {}, case_1_block_0_lumps, column_function<primary::columns_0, 1, 1, 3>, column_slope_function<primary::column_slopes_0, 1, 1, 3>},
-  {BlockKind::harmonic, "harmonic 0 of x", 0, 1, case_1_block_1_phase, case_1_block_1_lumps, column_function<primary::columns_1, 1, 1, 1>, column_slope_function<primary::column_slopes_1, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 2*omega0 of x", 0, 1, case_1_block_2_phase, case_1_block_2_lumps, column_function<primary::columns_2, 1, 1, 1>, column_slope_function<primary::column_slopes_2, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 3*omega0 of x", 0, 2, case_1_block_3_phase, case_1_block_3_lumps, column_function<primary::columns_3, 1, 1, 1>, column_slope_function<primary::column_slopes_3, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 0 of x", 0, 1, case_1_block_1_phase, case_1_block_1_lumps, column_function<free::columns_1, 1, 1, 1>, column_slope_function<free::column_slopes_1, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 2*omega0 of x", 0, 1, case_1_block_2_phase, case_1_block_2_lumps, column_function<free::columns_2, 1, 1, 1>, column_slope_function<free::column_slopes_2, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 3*omega0 of x", 0, 2, case_1_block_3_phase, case_1_block_3_lumps, column_function<free::columns_3, 1, 1, 1>, column_slope_function<free::column_slopes_3, 1, 1, 1>},
 };
 
 constexpr int case_2_relations[] = {-1, 3};
@@ -144,7 +144,7 @@ constexpr RegressorBlock case_2_blocks[] = {
   {BlockKind::harmonic, "harmonic 2*Omega of x", 0, 1, case_2_block_3_phase, case_2_block_3_lumps, column_function<superharmonic_3::columns_3, 1, 1, 2>, column_slope_function<superharmonic_3::column_slopes_3, 1, 1, 2>},
   {BlockKind::harmonic, "harmonic omega0+Omega of x", 0, 1, case_2_block_4_phase, case_2_block_4_lumps, column_function<superharmonic_3::columns_4, 1, 1, 1>, column_slope_function<superharmonic_3::column_slopes_4, 1, 1, 1>},
   {BlockKind::harmonic, "harmonic omega0+2*Omega of x", 0, 1, case_2_block_5_phase, case_2_block_5_lumps, column_function<superharmonic_3::columns_5, 1, 1, 2>, column_slope_function<superharmonic_3::column_slopes_5, 1, 1, 2>},
-  {BlockKind::harmonic, "harmonic 2*omega0 of x", 0, 1, case_2_block_6_phase, case_2_block_6_lumps, column_function<superharmonic_3::columns_6, 1, 1, 1>, column_slope_function<superharmonic_3::column_slopes_6, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 2*omega0 of x", 0, 1, case_2_block_6_phase, case_2_block_6_lumps, column_function<free::columns_2, 1, 1, 1>, column_slope_function<free::column_slopes_2, 1, 1, 1>},
   {BlockKind::harmonic, "harmonic 2*omega0+Omega of x", 0, 1, case_2_block_7_phase, case_2_block_7_lumps, column_function<superharmonic_3::columns_7, 1, 1, 1>, column_slope_function<superharmonic_3::column_slopes_7, 1, 1, 1>},
   {BlockKind::harmonic, "harmonic 3*omega0 of x", 0, 1, case_2_block_8_phase, case_2_block_8_lumps, column_function<superharmonic_3::columns_8, 1, 1, 1>, column_slope_function<superharmonic_3::column_slopes_8, 1, 1, 1>},
 };
@@ -401,7 +401,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "duffing",
   .source = "Duffing oscillator with a quadratic term",
-  .fingerprint = "e9c27fdbfee4d6f4",
+  .fingerprint = "182e356c564d1d03",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

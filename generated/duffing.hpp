@@ -444,120 +444,6 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 3>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 0 of x: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_1([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  factor[0] = -Scalar(2.0) / omega0_2;
-}
-
-/// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in x = -2/omega0^2*a2*A_x*conj(A_x)
-/// 1 columns; per observation at most 1 products and sums of complex numbers.
-template <class Factors>
-void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Scalar norm_A_x = norm_of(A_x);
-    store_complex(column_0, i, Complex(factor[0] * (norm_A_x)));  // a2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_1(const BatchArrays& data, double* const* columns) {
-  rows_1(data, FactorValues<factors_1<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega0 of x: functions of the frequencies alone. 3 operations.
-template <class Scalar>
-void factors_2([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  factor[0] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
-}
-
-/// Rows of the harmonic 2*omega0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0)*t) in x = 1/(3*omega0^2)*a2*A_x^2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x));  // a2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_2(const BatchArrays& data, double* const* columns) {
-  rows_2(data, FactorValues<factors_2<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 3*omega0 of x: functions of the frequencies alone. 0 operations.
-template <class Scalar>
-void factors_3([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 3*omega0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega0)*t) in x = harmonic_re_x_A_x3*A_x^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * A_x));  // harmonic_re_x_A_x3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_3(const BatchArrays& data, double* const* columns) {
-  rows_3(data, FactorValues<factors_3<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
 /// and derivative hold Re B_0, Im B_0, Re B_1, ..., forcing Re F, Im F of every excitation.
 /// dB_x/dt + i*(w_x - omega0)*B_x = -mu*A_x + i*conservative_x_A_x2_conjA_x*A_x^2*conj(A_x) - 1/(4*omega0)*i*e*F
@@ -891,7 +777,7 @@ inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 1 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 18
+/// What multiplies the 1 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 16
 /// operations.
 template <class Scalar>
 void factors_4([[maybe_unused]] const Scalar* natural_frequency,
@@ -901,16 +787,15 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_2 = omega0 * omega0;
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = -Scalar(40.0) * omega0_4 / (Scalar(162.0) * omega0_3 * Omega + Scalar(81.0) * omega0_2 * Omega_2
-      - Scalar(162.0) * omega0 * Omega_3 - Scalar(81.0) * Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  factor[0] = -Scalar(40.0) * omega0_4 * per_0 * per_1 * per_2 / (Scalar(81.0) * Omega);
 }
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in x = -40*omega0^4/(162*omega0^3*Omega + 81*omega0^2*Omega^2 -
-/// 162*omega0*Omega^3 - 81*Omega^4)*harmonic_re_x_A_x_F*A_x*F
+/// amplitude of exp(i*(omega0 + Omega)*t) in x = -40*omega0^4/(81*Omega*(omega0 + Omega)*(omega0 -
+/// Omega)*(2*omega0 + Omega))*harmonic_re_x_A_x_F*A_x*F
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -942,7 +827,7 @@ inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 41
+/// What multiplies the 2 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 24
 /// operations.
 template <class Scalar>
 void factors_5([[maybe_unused]] const Scalar* natural_frequency,
@@ -953,23 +838,20 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar omega0_4 = omega0_3 * omega0;
   const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  factor[0] = Scalar(16.0) * omega0_5 / (Scalar(81.0) * omega0_5 * Omega + Scalar(81.0) * omega0_4 * Omega_2
-      - Scalar(162.0) * omega0_3 * Omega_3 - Scalar(162.0) * omega0_2 * Omega_4 + Scalar(81.0) * omega0 * Omega_5
-      + Scalar(81.0) * Omega_6);
-  factor[1] = -Scalar(32.0) * omega0_4 / (Scalar(243.0) * omega0_4 - Scalar(324.0) * omega0_3 * Omega
-      - Scalar(162.0) * omega0_2 * Omega_2 + Scalar(324.0) * omega0 * Omega_3 - Scalar(81.0) * Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar per_2 = Scalar(1.0) / (Scalar(3.0) * omega0 - Omega);
+  factor[0] = Scalar(16.0) * omega0_5 * per_0_3 * per_1_2 / (Scalar(81.0) * Omega);
+  factor[1] = -Scalar(32.0) * omega0_4 * per_0 * per_1_2 * per_2 / Scalar(81.0);
 }
 
 /// Rows of the harmonic omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = 16*omega0^5/(81*omega0^5*Omega + 81*omega0^4*Omega^2 -
-/// 162*omega0^3*Omega^3 - 162*omega0^2*Omega^4 + 81*omega0*Omega^5 + 81*Omega^6)*conservative_x_A_x_F2*A_x*F^2 -
-/// 32*omega0^4/(243*omega0^4 - 324*omega0^3*Omega - 162*omega0^2*Omega^2 + 324*omega0*Omega^3 -
-/// 81*Omega^4)*harmonic_re_x_A_x_conjA_x_F*A_x^2*F
+/// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = 16*omega0^5/(81*Omega*(omega0 + Omega)^3*(omega0 -
+/// Omega)^2)*conservative_x_A_x_F2*A_x*F^2 - 32*omega0^4/(81*(omega0 + Omega)*(omega0 - Omega)^2*(3*omega0 -
+/// Omega))*harmonic_re_x_A_x_conjA_x_F*A_x^2*F
 /// 2 columns; per observation at most 10 products and sums of complex numbers.
 template <class Factors>
 void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1004,45 +886,7 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*omega0 of x: functions of the frequencies alone. 3 operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  factor[0] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
-}
-
-/// Rows of the harmonic 2*omega0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0)*t) in x = 1/(3*omega0^2)*a2*A_x^2
-/// 1 columns; per observation at most 3 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x));  // a2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_6(data, FactorSlopes<factors_6<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega0+Omega of x: functions of the frequencies alone. 20
+/// What multiplies the 1 terms of the harmonic 2*omega0+Omega of x: functions of the frequencies alone. 16
 /// operations.
 template <class Scalar>
 void factors_7([[maybe_unused]] const Scalar* natural_frequency,
@@ -1052,16 +896,16 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_2 = omega0 * omega0;
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = -Scalar(32.0) * omega0_4 / (Scalar(243.0) * omega0_4 + Scalar(324.0) * omega0_3 * Omega
-      - Scalar(162.0) * omega0_2 * Omega_2 - Scalar(324.0) * omega0 * Omega_3 - Scalar(81.0) * Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(3.0) * omega0 + Omega);
+  factor[0] = -Scalar(32.0) * omega0_4 * per_0_2 * per_1 * per_2 / Scalar(81.0);
 }
 
 /// Rows of the harmonic 2*omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega0 + Omega)*t) in x = -32*omega0^4/(243*omega0^4 + 324*omega0^3*Omega -
-/// 162*omega0^2*Omega^2 - 324*omega0*Omega^3 - 81*Omega^4)*harmonic_re_x_A_x_conjA_x_F*A_x^2*F
+/// amplitude of exp(i*(2*omega0 + Omega)*t) in x = -32*omega0^4/(81*(omega0 + Omega)^2*(omega0 -
+/// Omega)*(3*omega0 + Omega))*harmonic_re_x_A_x_conjA_x_F*A_x^2*F
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1428,7 +1272,7 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic -omega0+2*Omega of x: functions of the frequencies alone. 36
+/// What multiplies the 2 terms of the harmonic -omega0+2*Omega of x: functions of the frequencies alone. 22
 /// operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
@@ -1439,22 +1283,20 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar omega0_4 = omega0_3 * omega0;
   const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  factor[0] = -Scalar(16.0) * omega0_5 / (omega0_5 * Omega - omega0_4 * Omega_2 - Scalar(2.0) * omega0_3 * Omega_3
-      + Scalar(2.0) * omega0_2 * Omega_4 + omega0 * Omega_5 - Omega_6);
-  factor[1] = -Scalar(16.0) * omega0_3 / (Scalar(3.0) * omega0_4 + Scalar(4.0) * omega0_3 * Omega
-      - Scalar(2.0) * omega0_2 * Omega_2 - Scalar(4.0) * omega0 * Omega_3 - Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar per_1_3 = per_1_2 * per_1;
+  const Scalar per_2 = Scalar(1.0) / (Scalar(3.0) * omega0 + Omega);
+  factor[0] = -Scalar(16.0) * omega0_5 * per_0_2 * per_1_3 / Omega;
+  factor[1] = -Scalar(16.0) * omega0_3 * per_0_2 * per_1 * per_2;
 }
 
 /// Rows of the harmonic -omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega0 + 2*Omega)*t) in x = -16*omega0^5/(omega0^5*Omega - omega0^4*Omega^2 -
-/// 2*omega0^3*Omega^3 + 2*omega0^2*Omega^4 + omega0*Omega^5 - Omega^6)*conservative_x_A_x_F2*conj(A_x)*F^2 -
-/// 16*omega0^3/(3*omega0^4 + 4*omega0^3*Omega - 2*omega0^2*Omega^2 - 4*omega0*Omega^3 -
-/// Omega^4)*conservative_x_conjA_x2_F*A_x^2*F
+/// amplitude of exp(i*(-omega0 + 2*Omega)*t) in x = -16*omega0^5/(Omega*(omega0 + Omega)^2*(omega0 -
+/// Omega)^3)*conservative_x_A_x_F2*conj(A_x)*F^2 - 16*omega0^3/((omega0 + Omega)^2*(omega0 - Omega)*(3*omega0 +
+/// Omega))*conservative_x_conjA_x2_F*A_x^2*F
 /// 2 columns; per observation at most 10 products and sums of complex numbers.
 template <class Factors>
 void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1534,7 +1376,7 @@ inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_4(data, FactorSlopes<factors_4<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*Omega of x: functions of the frequencies alone. 20 operations.
+/// What multiplies the 1 terms of the harmonic 2*Omega of x: functions of the frequencies alone. 22 operations.
 template <class Scalar>
 void factors_5([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -1545,18 +1387,18 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_4 = omega0_3 * omega0;
   const Scalar omega0_5 = omega0_4 * omega0;
   const Scalar omega0_6 = omega0_5 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  factor[0] = Scalar(32.0) * omega0_6 / (omega0_6 - Scalar(6.0) * omega0_4 * Omega_2
-      + Scalar(9.0) * omega0_2 * Omega_4 - Scalar(4.0) * Omega_6);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(2.0) * Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_2_2 = per_2 * per_2;
+  const Scalar per_3 = Scalar(1.0) / (omega0 - Scalar(2.0) * Omega);
+  factor[0] = Scalar(32.0) * omega0_6 * per_0_2 * per_1 * per_2_2 * per_3;
 }
 
 /// Rows of the harmonic 2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*Omega)*t) in x = 32*omega0^6/(omega0^6 - 6*omega0^4*Omega^2 + 9*omega0^2*Omega^4 -
-/// 4*Omega^6)*harmonic_re_x_F2*F^2
+/// amplitude of exp(i*(2*Omega)*t) in x = 32*omega0^6/((omega0 + Omega)^2*(omega0 + 2*Omega)*(omega0 -
+/// Omega)^2*(omega0 - 2*Omega))*harmonic_re_x_F2*F^2
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1586,7 +1428,7 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 3*Omega of x: functions of the frequencies alone. 28 operations.
+/// What multiplies the 1 terms of the harmonic 3*Omega of x: functions of the frequencies alone. 27 operations.
 template <class Scalar>
 void factors_6([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -1599,20 +1441,20 @@ void factors_6([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_6 = omega0_5 * omega0;
   const Scalar omega0_7 = omega0_6 * omega0;
   const Scalar omega0_8 = omega0_7 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  factor[0] = Scalar(4096.0) * omega0_8 / (Scalar(3.0) * omega0_8 - Scalar(36.0) * omega0_6 * Omega_2
-      + Scalar(90.0) * omega0_4 * Omega_4 - Scalar(84.0) * omega0_2 * Omega_6 + Scalar(27.0) * Omega_8);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_2_2 = per_2 * per_2;
+  const Scalar per_2_3 = per_2_2 * per_2;
+  const Scalar per_3 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
+  factor[0] = Scalar(4096.0) * omega0_8 * per_0_3 * per_1 * per_2_3 * per_3 / Scalar(3.0);
 }
 
 /// Rows of the harmonic 3*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*Omega)*t) in x = 4096*omega0^8/(3*omega0^8 - 36*omega0^6*Omega^2 + 90*omega0^4*Omega^4
-/// - 84*omega0^2*Omega^6 + 27*Omega^8)*harmonic_re_x_F3*F^3
+/// amplitude of exp(i*(3*Omega)*t) in x = 4096*omega0^8/(3*(omega0 + Omega)^3*(omega0 + 3*Omega)*(omega0 -
+/// Omega)^3*(omega0 - 3*Omega))*harmonic_re_x_F3*F^3
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1642,7 +1484,7 @@ inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_6(data, FactorSlopes<factors_6<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 16
+/// What multiplies the 1 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 15
 /// operations.
 template <class Scalar>
 void factors_7([[maybe_unused]] const Scalar* natural_frequency,
@@ -1652,16 +1494,15 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_2 = omega0 * omega0;
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar omega0_4 = omega0_3 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = -Scalar(24.0) * omega0_4 / (Scalar(2.0) * omega0_3 * Omega + omega0_2 * Omega_2
-      - Scalar(2.0) * omega0 * Omega_3 - Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  factor[0] = -Scalar(24.0) * omega0_4 * per_0 * per_1 * per_2 / Omega;
 }
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in x = -24*omega0^4/(2*omega0^3*Omega + omega0^2*Omega^2 -
-/// 2*omega0*Omega^3 - Omega^4)*harmonic_re_x_conjA_x_F*A_x*F
+/// amplitude of exp(i*(omega0 + Omega)*t) in x = -24*omega0^4/(Omega*(omega0 + Omega)*(omega0 - Omega)*(2*omega0
+/// + Omega))*harmonic_re_x_conjA_x_F*A_x*F
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1693,7 +1534,7 @@ inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_7(data, FactorSlopes<factors_7<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 23
+/// What multiplies the 1 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 15
 /// operations.
 template <class Scalar>
 void factors_8([[maybe_unused]] const Scalar* natural_frequency,
@@ -1704,18 +1545,17 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar omega0_4 = omega0_3 * omega0;
   const Scalar omega0_5 = omega0_4 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  factor[0] = Scalar(16.0) * omega0_5 / (omega0_5 * Omega + omega0_4 * Omega_2 - Scalar(2.0) * omega0_3 * Omega_3
-      - Scalar(2.0) * omega0_2 * Omega_4 + omega0 * Omega_5 + Omega_6);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_1_2 = per_1 * per_1;
+  factor[0] = Scalar(16.0) * omega0_5 * per_0_3 * per_1_2 / Omega;
 }
 
 /// Rows of the harmonic omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = 16*omega0^5/(omega0^5*Omega + omega0^4*Omega^2 -
-/// 2*omega0^3*Omega^3 - 2*omega0^2*Omega^4 + omega0*Omega^5 + Omega^6)*conservative_x_A_x_F2*A_x*F^2
+/// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = 16*omega0^5/(Omega*(omega0 + Omega)^3*(omega0 -
+/// Omega)^2)*conservative_x_A_x_F2*A_x*F^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -2651,7 +2491,7 @@ inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_6(data, FactorSlopes<factors_6<DualNumber>, 1, 1, 7>{mode}, columns);
 }
 
-/// What multiplies the 7 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 215
+/// What multiplies the 7 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 141
 /// operations.
 template <class Scalar>
 void factors_7([[maybe_unused]] const Scalar* natural_frequency,
@@ -2678,70 +2518,57 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega_5 = Omega_4 * Omega;
   const Scalar Omega_6 = Omega_5 * Omega;
   const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
-  const Scalar Omega_15 = Omega_14 * Omega;
-  factor[0] = -Scalar(24.0) * omega0_4 / (Scalar(2.0) * omega0_3 * Omega + omega0_2 * Omega_2
-      - Scalar(2.0) * omega0 * Omega_3 - Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_0_4 = per_0_3 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar per_1_3 = per_1_2 * per_1;
+  const Scalar per_1_4 = per_1_3 * per_1;
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  const Scalar per_2_2 = per_2 * per_2;
+  const Scalar per_3 = Scalar(1.0) / (omega0 + Scalar(2.0) * Omega);
+  const Scalar per_4 = Scalar(1.0) / (omega0 - Scalar(2.0) * Omega);
+  const Scalar per_4_2 = per_4 * per_4;
+  const Scalar per_5 = Scalar(1.0) / (Scalar(2.0) * omega0 - Omega);
+  const Scalar per_6 = Scalar(1.0) / (Scalar(3.0) * omega0 - Scalar(2.0) * Omega);
+  const Scalar per_7 = Scalar(1.0) / (Scalar(3.0) * omega0 + Omega);
+  factor[0] = -Scalar(24.0) * omega0_4 * per_0 * per_1 * per_2 / Omega;
   factor[1] = (-Scalar(720.0) * omega0_11 + Scalar(456.0) * omega0_10 * Omega
       + Scalar(3168.0) * omega0_9 * Omega_2 - Scalar(3072.0) * omega0_8 * Omega_3
       + Scalar(576.0) * omega0_7 * Omega_4
-      - Scalar(192.0) * omega0_6 * Omega_5) / (Scalar(6.0) * omega0_10 * Omega - Scalar(25.0) * omega0_9 * Omega_2
-      - omega0_8 * Omega_3 + Scalar(130.0) * omega0_7 * Omega_4 - Scalar(152.0) * omega0_6 * Omega_5
-      - Scalar(105.0) * omega0_5 * Omega_6 + Scalar(267.0) * omega0_4 * Omega_7
-      - Scalar(80.0) * omega0_3 * Omega_8 - Scalar(104.0) * omega0_2 * Omega_9 + Scalar(80.0) * omega0 * Omega_10
-      - Scalar(16.0) * Omega_11);
-  factor[2] = -Scalar(288.0) * omega0_7 / (Scalar(4.0) * omega0_5 * Omega_2 - Scalar(7.0) * omega0_3 * Omega_4
-      - omega0_2 * Omega_5 + Scalar(3.0) * omega0 * Omega_6 + Omega_7);
-  factor[3] = Scalar(64.0) * omega0_5 / (Scalar(2.0) * omega0_5 + omega0_4 * Omega
-      - Scalar(4.0) * omega0_3 * Omega_2 - Scalar(2.0) * omega0_2 * Omega_3 + Scalar(2.0) * omega0 * Omega_4
-      + Omega_5);
+      - Scalar(192.0) * omega0_6 * Omega_5) * per_0_2 * per_3 * per_1_3 * per_4_2 * per_5 * per_6 / Omega;
+  factor[2] = -Scalar(288.0) * omega0_7 * per_0 * per_1_2 * per_2_2 / Omega_2;
+  factor[3] = Scalar(64.0) * omega0_5 * per_0_2 * per_1_2 * per_2;
   factor[4] = (Scalar(64512.0) * omega0_15 + Scalar(1419264.0) * omega0_14 * Omega
       - Scalar(499968.0) * omega0_13 * Omega_2 - Scalar(6015744.0) * omega0_12 * Omega_3
       + Scalar(1096704.0) * omega0_11 * Omega_4 + Scalar(4386816.0) * omega0_10 * Omega_5
       - Scalar(516096.0) * omega0_9 * Omega_6
-      - Scalar(516096.0) * omega0_8 * Omega_7) / (Scalar(88.0) * omega0_13 * Omega_2
-      + Scalar(44.0) * omega0_12 * Omega_3 - Scalar(726.0) * omega0_11 * Omega_4
-      - Scalar(363.0) * omega0_10 * Omega_5 + Scalar(2112.0) * omega0_9 * Omega_6
-      + Scalar(1056.0) * omega0_8 * Omega_7 - Scalar(2948.0) * omega0_7 * Omega_8
-      - Scalar(1474.0) * omega0_6 * Omega_9 + Scalar(2112.0) * omega0_5 * Omega_10
-      + Scalar(1056.0) * omega0_4 * Omega_11 - Scalar(726.0) * omega0_3 * Omega_12
-      - Scalar(363.0) * omega0_2 * Omega_13 + Scalar(88.0) * omega0 * Omega_14 + Scalar(44.0) * Omega_15);
+      - Scalar(516096.0) * omega0_8 * Omega_7) * per_0_4 * per_3 * per_1_4 * per_4 * per_2_2
+      * per_5 / (Scalar(11.0) * Omega_2);
   factor[5] = (-Scalar(74880.0) * omega0_9 - Scalar(28320.0) * omega0_8 * Omega
       + Scalar(61920.0) * omega0_7 * Omega_2 + Scalar(17760.0) * omega0_6 * Omega_3
       - Scalar(8640.0) * omega0_5 * Omega_4
-      - Scalar(2400.0) * omega0_4 * Omega_5) / (Scalar(24.0) * omega0_8 * Omega
-      + Scalar(20.0) * omega0_7 * Omega_2 - Scalar(50.0) * omega0_6 * Omega_3 - Scalar(45.0) * omega0_5 * Omega_4
-      + Scalar(27.0) * omega0_4 * Omega_5 + Scalar(30.0) * omega0_3 * Omega_6 - Scalar(5.0) * omega0 * Omega_8
-      - Omega_9);
+      - Scalar(2400.0) * omega0_4 * Omega_5) * per_0_2 * per_1_2 * per_2_2 * per_5 * per_7 / Omega;
   factor[6] = -Scalar(1.0) / Scalar(31.0);
 }
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in x = -24*omega0^4/(2*omega0^3*Omega + omega0^2*Omega^2 -
-/// 2*omega0*Omega^3 - Omega^4)*harmonic_re_x_conjA_x_F*A_x*F + (-720*omega0^11 + 456*omega0^10*Omega +
-/// 3168*omega0^9*Omega^2 - 3072*omega0^8*Omega^3 + 576*omega0^7*Omega^4 -
-/// 192*omega0^6*Omega^5)/(6*omega0^10*Omega - 25*omega0^9*Omega^2 - omega0^8*Omega^3 + 130*omega0^7*Omega^4 -
-/// 152*omega0^6*Omega^5 - 105*omega0^5*Omega^6 + 267*omega0^4*Omega^7 - 80*omega0^3*Omega^8 -
-/// 104*omega0^2*Omega^9 + 80*omega0*Omega^10 - 16*Omega^11)*harmonic_re_x_A_x2_F2*conj(A_x)^2*F^2 -
-/// 288*omega0^7/(4*omega0^5*Omega^2 - 7*omega0^3*Omega^4 - omega0^2*Omega^5 + 3*omega0*Omega^6 +
-/// Omega^7)*harmonic_re_x_A_x2_F2*conj(A_x)^2*F^2 + 64*omega0^5/(2*omega0^5 + omega0^4*Omega -
-/// 4*omega0^3*Omega^2 - 2*omega0^2*Omega^3 + 2*omega0*Omega^4 + Omega^5)*i*harmonic_im_x_conjA_x_F*A_x*F +
-/// (64512*omega0^15 + 1419264*omega0^14*Omega - 499968*omega0^13*Omega^2 - 6015744*omega0^12*Omega^3 +
-/// 1096704*omega0^11*Omega^4 + 4386816*omega0^10*Omega^5 - 516096*omega0^9*Omega^6 -
-/// 516096*omega0^8*Omega^7)/(88*omega0^13*Omega^2 + 44*omega0^12*Omega^3 - 726*omega0^11*Omega^4 -
-/// 363*omega0^10*Omega^5 + 2112*omega0^9*Omega^6 + 1056*omega0^8*Omega^7 - 2948*omega0^7*Omega^8 -
-/// 1474*omega0^6*Omega^9 + 2112*omega0^5*Omega^10 + 1056*omega0^4*Omega^11 - 726*omega0^3*Omega^12 -
-/// 363*omega0^2*Omega^13 + 88*omega0*Omega^14 + 44*Omega^15)*harmonic_re_x_conjA_x_F3*A_x*F^3 + (-74880*omega0^9
-/// - 28320*omega0^8*Omega + 61920*omega0^7*Omega^2 + 17760*omega0^6*Omega^3 - 8640*omega0^5*Omega^4 -
-/// 2400*omega0^4*Omega^5)/(24*omega0^8*Omega + 20*omega0^7*Omega^2 - 50*omega0^6*Omega^3 - 45*omega0^5*Omega^4 +
-/// 27*omega0^4*Omega^5 + 30*omega0^3*Omega^6 - 5*omega0*Omega^8 -
-/// Omega^9)*harmonic_re_x_A_x_conjA_x2_F*A_x^2*conj(A_x)*F - 1/31*harmonic_re_x_A_x3_conjA_x*A_x^4
+/// amplitude of exp(i*(omega0 + Omega)*t) in x = -24*omega0^4/(Omega*(omega0 + Omega)*(omega0 - Omega)*(2*omega0
+/// + Omega))*harmonic_re_x_conjA_x_F*A_x*F + (-720*omega0^11 + 456*omega0^10*Omega + 3168*omega0^9*Omega^2 -
+/// 3072*omega0^8*Omega^3 + 576*omega0^7*Omega^4 - 192*omega0^6*Omega^5)/(Omega*(omega0 + Omega)^2*(omega0 +
+/// 2*Omega)*(omega0 - Omega)^3*(omega0 - 2*Omega)^2*(2*omega0 - Omega)*(3*omega0 -
+/// 2*Omega))*harmonic_re_x_A_x2_F2*conj(A_x)^2*F^2 - 288*omega0^7/(Omega^2*(omega0 + Omega)*(omega0 -
+/// Omega)^2*(2*omega0 + Omega)^2)*harmonic_re_x_A_x2_F2*conj(A_x)^2*F^2 + 64*omega0^5/((omega0 +
+/// Omega)^2*(omega0 - Omega)^2*(2*omega0 + Omega))*i*harmonic_im_x_conjA_x_F*A_x*F + (64512*omega0^15 +
+/// 1419264*omega0^14*Omega - 499968*omega0^13*Omega^2 - 6015744*omega0^12*Omega^3 + 1096704*omega0^11*Omega^4 +
+/// 4386816*omega0^10*Omega^5 - 516096*omega0^9*Omega^6 - 516096*omega0^8*Omega^7)/(11*Omega^2*(omega0 +
+/// Omega)^4*(omega0 + 2*Omega)*(omega0 - Omega)^4*(omega0 - 2*Omega)*(2*omega0 + Omega)^2*(2*omega0 -
+/// Omega))*harmonic_re_x_conjA_x_F3*A_x*F^3 + (-74880*omega0^9 - 28320*omega0^8*Omega + 61920*omega0^7*Omega^2 +
+/// 17760*omega0^6*Omega^3 - 8640*omega0^5*Omega^4 - 2400*omega0^4*Omega^5)/(Omega*(omega0 + Omega)^2*(omega0 -
+/// Omega)^2*(2*omega0 + Omega)^2*(2*omega0 - Omega)*(3*omega0 +
+/// Omega))*harmonic_re_x_A_x_conjA_x2_F*A_x^2*conj(A_x)*F - 1/31*harmonic_re_x_A_x3_conjA_x*A_x^4
 /// 6 columns; per observation at most 32 products and sums of complex numbers.
 template <class Factors>
 void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -2788,7 +2615,7 @@ inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_7(data, FactorSlopes<factors_7<DualNumber>, 1, 1, 7>{mode}, columns);
 }
 
-/// What multiplies the 8 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 270
+/// What multiplies the 8 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 132
 /// operations.
 template <class Scalar>
 void factors_8([[maybe_unused]] const Scalar* natural_frequency,
@@ -2809,85 +2636,60 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_13 = omega0_12 * omega0;
   const Scalar Omega_2 = Omega * Omega;
   const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_0_4 = per_0_3 * per_0;
+  const Scalar per_0_5 = per_0_4 * per_0;
+  const Scalar per_0_6 = per_0_5 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar per_1_3 = per_1_2 * per_1;
+  const Scalar per_1_4 = per_1_3 * per_1;
+  const Scalar per_1_5 = per_1_4 * per_1;
+  const Scalar per_2 = Scalar(1.0) / (Scalar(3.0) * omega0 + Omega);
+  const Scalar per_2_2 = per_2 * per_2;
+  const Scalar per_3 = Scalar(1.0) / (Scalar(5.0) * omega0 + Omega);
+  const Scalar per_4 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_5 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
+  const Scalar per_5_2 = per_5 * per_5;
+  const Scalar per_6 = Scalar(1.0) / (omega0 + Scalar(2.0) * Omega);
+  const Scalar per_7 = Scalar(1.0) / (omega0 - Scalar(2.0) * Omega);
+  const Scalar per_8 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
   factor[0] = (-Scalar(60.0) * omega0_5 - Scalar(16.0) * omega0_4 * Omega
-      - Scalar(4.0) * omega0_3 * Omega_2) / (Scalar(45.0) * omega0_6 + Scalar(84.0) * omega0_5 * Omega
-      + Scalar(5.0) * omega0_4 * Omega_2 - Scalar(72.0) * omega0_3 * Omega_3 - Scalar(49.0) * omega0_2 * Omega_4
-      - Scalar(12.0) * omega0 * Omega_5 - Omega_6);
-  factor[1] = -Scalar(32.0) * omega0_6 / (Scalar(3.0) * omega0_5 * Omega + Scalar(3.0) * omega0_4 * Omega_2
-      - Scalar(6.0) * omega0_3 * Omega_3 - Scalar(6.0) * omega0_2 * Omega_4 + Scalar(3.0) * omega0 * Omega_5
-      + Scalar(3.0) * Omega_6);
+      - Scalar(4.0) * omega0_3 * Omega_2) * per_0_2 * per_1 * per_2_2 * per_3;
+  factor[1] = -Scalar(32.0) * omega0_6 * per_0_3 * per_1_2 / (Scalar(3.0) * Omega);
   factor[2] = (Scalar(360448.0) * omega0_13 - Scalar(98304.0) * omega0_12 * Omega
       - Scalar(2719744.0) * omega0_11 * Omega_2
-      + Scalar(884736.0) * omega0_10 * Omega_3) / (Scalar(21.0) * omega0_13 * Omega
-      + Scalar(21.0) * omega0_12 * Omega_2 - Scalar(294.0) * omega0_11 * Omega_3
-      - Scalar(294.0) * omega0_10 * Omega_4 + Scalar(1155.0) * omega0_9 * Omega_5
-      + Scalar(1155.0) * omega0_8 * Omega_6 - Scalar(2100.0) * omega0_7 * Omega_7
-      - Scalar(2100.0) * omega0_6 * Omega_8 + Scalar(1995.0) * omega0_5 * Omega_9
-      + Scalar(1995.0) * omega0_4 * Omega_10 - Scalar(966.0) * omega0_3 * Omega_11
-      - Scalar(966.0) * omega0_2 * Omega_12 + Scalar(189.0) * omega0 * Omega_13 + Scalar(189.0) * Omega_14);
+      + Scalar(884736.0) * omega0_10 * Omega_3) * per_0_6 * per_4 * per_1_5 * per_5 / (Scalar(21.0) * Omega);
   factor[3] = (-Scalar(4992.0) * omega0_8 - Scalar(2112.0) * omega0_7 * Omega
-      + Scalar(192.0) * omega0_6 * Omega_2) / (Scalar(21.0) * omega0_8 * Omega + Scalar(28.0) * omega0_7 * Omega_2
-      - Scalar(56.0) * omega0_6 * Omega_3 - Scalar(84.0) * omega0_5 * Omega_4 + Scalar(42.0) * omega0_4 * Omega_5
-      + Scalar(84.0) * omega0_3 * Omega_6 - Scalar(28.0) * omega0 * Omega_8 - Scalar(7.0) * Omega_9);
+      + Scalar(192.0) * omega0_6 * Omega_2) * per_0_4 * per_1_3 * per_2 / (Scalar(7.0) * Omega);
   factor[4] = (Scalar(6144.0) * omega0_11 + Scalar(4096.0) * omega0_10 * Omega
-      - Scalar(59392.0) * omega0_9 * Omega_2) / (Scalar(27.0) * omega0_11 * Omega
-      - Scalar(135.0) * omega0_10 * Omega_2 - Scalar(135.0) * omega0_9 * Omega_3
-      + Scalar(1539.0) * omega0_8 * Omega_4 - Scalar(1458.0) * omega0_7 * Omega_5
-      - Scalar(3078.0) * omega0_6 * Omega_6 + Scalar(4914.0) * omega0_5 * Omega_7
-      + Scalar(1350.0) * omega0_4 * Omega_8 - Scalar(5049.0) * omega0_3 * Omega_9
-      + Scalar(1053.0) * omega0_2 * Omega_10 + Scalar(1701.0) * omega0 * Omega_11 - Scalar(729.0) * Omega_12);
-  factor[5] = (Scalar(256.0) * omega0_9 + Scalar(512.0) * omega0_8 * Omega) / (Scalar(3.0) * omega0_8 * Omega_2
-      + Scalar(6.0) * omega0_7 * Omega_3 - Scalar(6.0) * omega0_6 * Omega_4 - Scalar(18.0) * omega0_5 * Omega_5
-      + Scalar(18.0) * omega0_3 * Omega_7 + Scalar(6.0) * omega0_2 * Omega_8 - Scalar(6.0) * omega0 * Omega_9
-      - Scalar(3.0) * Omega_10);
+      - Scalar(59392.0) * omega0_9 * Omega_2) * per_0_3 * per_4 * per_1_5 * per_5_2 / (Scalar(27.0) * Omega);
+  factor[5] = (Scalar(256.0) * omega0_9
+      + Scalar(512.0) * omega0_8 * Omega) * per_0_5 * per_1_3 / (Scalar(3.0) * Omega_2);
   factor[6] = (Scalar(80640.0) * omega0_10 - Scalar(80640.0) * omega0_9 * Omega
-      - Scalar(362880.0) * omega0_8 * Omega_2) / (Scalar(146.0) * omega0_8 * Omega_2
-      + Scalar(219.0) * omega0_7 * Omega_3 - Scalar(803.0) * omega0_6 * Omega_4
-      - Scalar(1314.0) * omega0_5 * Omega_5 + Scalar(876.0) * omega0_4 * Omega_6
-      + Scalar(1971.0) * omega0_3 * Omega_7 + Scalar(73.0) * omega0_2 * Omega_8 - Scalar(876.0) * omega0 * Omega_9
-      - Scalar(292.0) * Omega_10);
-  factor[7] = -Scalar(1024.0) * omega0_7 / (omega0_7 + omega0_6 * Omega - Scalar(3.0) * omega0_5 * Omega_2
-      - Scalar(3.0) * omega0_4 * Omega_3 + Scalar(3.0) * omega0_3 * Omega_4 + Scalar(3.0) * omega0_2 * Omega_5
-      - omega0 * Omega_6 - Omega_7);
+      - Scalar(362880.0) * omega0_8 * Omega_2) * per_0_3 * per_6 * per_1_2 * per_7 * per_8 / (Scalar(73.0)
+      * Omega_2);
+  factor[7] = -Scalar(1024.0) * omega0_7 * per_0_4 * per_1_3;
 }
 
 /// Rows of the harmonic omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = (-60*omega0^5 - 16*omega0^4*Omega -
-/// 4*omega0^3*Omega^2)/(45*omega0^6 + 84*omega0^5*Omega + 5*omega0^4*Omega^2 - 72*omega0^3*Omega^3 -
-/// 49*omega0^2*Omega^4 - 12*omega0*Omega^5 - Omega^6)*conservative_x_A_x4_F*A_x^4*F -
-/// 32*omega0^6/(3*omega0^5*Omega + 3*omega0^4*Omega^2 - 6*omega0^3*Omega^3 - 6*omega0^2*Omega^4 +
-/// 3*omega0*Omega^5 + 3*Omega^6)*conservative_x_A_x_F2_sigma*A_x*F^2 + (360448*omega0^13 - 98304*omega0^12*Omega
-/// - 2719744*omega0^11*Omega^2 + 884736*omega0^10*Omega^3)/(21*omega0^13*Omega + 21*omega0^12*Omega^2 -
-/// 294*omega0^11*Omega^3 - 294*omega0^10*Omega^4 + 1155*omega0^9*Omega^5 + 1155*omega0^8*Omega^6 -
-/// 2100*omega0^7*Omega^7 - 2100*omega0^6*Omega^8 + 1995*omega0^5*Omega^9 + 1995*omega0^4*Omega^10 -
-/// 966*omega0^3*Omega^11 - 966*omega0^2*Omega^12 + 189*omega0*Omega^13 +
-/// 189*Omega^14)*conservative_x_A_x_F4*A_x*F^4 + (-4992*omega0^8 - 2112*omega0^7*Omega +
-/// 192*omega0^6*Omega^2)/(21*omega0^8*Omega + 28*omega0^7*Omega^2 - 56*omega0^6*Omega^3 - 84*omega0^5*Omega^4 +
-/// 42*omega0^4*Omega^5 + 84*omega0^3*Omega^6 - 28*omega0*Omega^8 -
-/// 7*Omega^9)*conservative_x_A_x2_conjA_x_F2*A_x^2*conj(A_x)*F^2 + (6144*omega0^11 + 4096*omega0^10*Omega -
-/// 59392*omega0^9*Omega^2)/(27*omega0^11*Omega - 135*omega0^10*Omega^2 - 135*omega0^9*Omega^3 +
-/// 1539*omega0^8*Omega^4 - 1458*omega0^7*Omega^5 - 3078*omega0^6*Omega^6 + 4914*omega0^5*Omega^7 +
-/// 1350*omega0^4*Omega^8 - 5049*omega0^3*Omega^9 + 1053*omega0^2*Omega^10 + 1701*omega0*Omega^11 -
-/// 729*Omega^12)*conservative_x_conjA_x2_F3*conj(A_x)^2*F^3 + (256*omega0^9 +
-/// 512*omega0^8*Omega)/(3*omega0^8*Omega^2 + 6*omega0^7*Omega^3 - 6*omega0^6*Omega^4 - 18*omega0^5*Omega^5 +
-/// 18*omega0^3*Omega^7 + 6*omega0^2*Omega^8 - 6*omega0*Omega^9 -
-/// 3*Omega^10)*conservative_x_conjA_x2_F3*conj(A_x)^2*F^3 + (80640*omega0^10 - 80640*omega0^9*Omega -
-/// 362880*omega0^8*Omega^2)/(146*omega0^8*Omega^2 + 219*omega0^7*Omega^3 - 803*omega0^6*Omega^4 -
-/// 1314*omega0^5*Omega^5 + 876*omega0^4*Omega^6 + 1971*omega0^3*Omega^7 + 73*omega0^2*Omega^8 -
-/// 876*omega0*Omega^9 - 292*Omega^10)*harmonic_re_x_conjA_x_F2*A_x*F^2 - 1024*omega0^7/(omega0^7 +
-/// omega0^6*Omega - 3*omega0^5*Omega^2 - 3*omega0^4*Omega^3 + 3*omega0^3*Omega^4 + 3*omega0^2*Omega^5 -
-/// omega0*Omega^6 - Omega^7)*i*harmonic_im_x_conjA_x_F2*A_x*F^2
+/// 4*omega0^3*Omega^2)/((omega0 + Omega)^2*(omega0 - Omega)*(3*omega0 + Omega)^2*(5*omega0 +
+/// Omega))*conservative_x_A_x4_F*A_x^4*F - 32*omega0^6/(3*Omega*(omega0 + Omega)^3*(omega0 -
+/// Omega)^2)*conservative_x_A_x_F2_sigma*A_x*F^2 + (360448*omega0^13 - 98304*omega0^12*Omega -
+/// 2719744*omega0^11*Omega^2 + 884736*omega0^10*Omega^3)/(21*Omega*(omega0 + Omega)^6*(omega0 + 3*Omega)*(omega0
+/// - Omega)^5*(omega0 - 3*Omega))*conservative_x_A_x_F4*A_x*F^4 + (-4992*omega0^8 - 2112*omega0^7*Omega +
+/// 192*omega0^6*Omega^2)/(7*Omega*(omega0 + Omega)^4*(omega0 - Omega)^3*(3*omega0 +
+/// Omega))*conservative_x_A_x2_conjA_x_F2*A_x^2*conj(A_x)*F^2 + (6144*omega0^11 + 4096*omega0^10*Omega -
+/// 59392*omega0^9*Omega^2)/(27*Omega*(omega0 + Omega)^3*(omega0 + 3*Omega)*(omega0 - Omega)^5*(omega0 -
+/// 3*Omega)^2)*conservative_x_conjA_x2_F3*conj(A_x)^2*F^3 + (256*omega0^9 +
+/// 512*omega0^8*Omega)/(3*Omega^2*(omega0 + Omega)^5*(omega0 -
+/// Omega)^3)*conservative_x_conjA_x2_F3*conj(A_x)^2*F^3 + (80640*omega0^10 - 80640*omega0^9*Omega -
+/// 362880*omega0^8*Omega^2)/(73*Omega^2*(omega0 + Omega)^3*(omega0 + 2*Omega)*(omega0 - Omega)^2*(omega0 -
+/// 2*Omega)*(2*omega0 + Omega))*harmonic_re_x_conjA_x_F2*A_x*F^2 - 1024*omega0^7/((omega0 + Omega)^4*(omega0 -
+/// Omega)^3)*i*harmonic_im_x_conjA_x_F2*A_x*F^2
 /// 7 columns; per observation at most 51 products and sums of complex numbers.
 template <class Factors>
 void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -2936,7 +2738,7 @@ inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_8(data, FactorSlopes<factors_8<DualNumber>, 1, 1, 8>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic -omega0+3*Omega of x: functions of the frequencies alone. 139
+/// What multiplies the 2 terms of the harmonic -omega0+3*Omega of x: functions of the frequencies alone. 111
 /// operations.
 template <class Scalar>
 void factors_9([[maybe_unused]] const Scalar* natural_frequency,
@@ -2962,48 +2764,43 @@ void factors_9([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega_4 = Omega_3 * Omega;
   const Scalar Omega_5 = Omega_4 * Omega;
   const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
-  const Scalar Omega_15 = Omega_14 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(2.0) * Omega);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar per_2 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_2_2 = per_2 * per_2;
+  const Scalar per_2_3 = per_2_2 * per_2;
+  const Scalar per_2_4 = per_2_3 * per_2;
+  const Scalar per_3 = Scalar(1.0) / (omega0 - Scalar(2.0) * Omega);
+  const Scalar per_4 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  const Scalar per_5 = Scalar(1.0) / (Scalar(3.0) * omega0 + Omega);
+  const Scalar per_6 = Scalar(1.0) / (Scalar(3.0) * omega0 + Scalar(2.0) * Omega);
+  const Scalar per_7 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_8 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
+  const Scalar per_9 = Scalar(1.0) / (Scalar(2.0) * omega0 - Omega);
+  const Scalar per_10 = Scalar(1.0) / (Scalar(2.0) * omega0 - Scalar(3.0) * Omega);
   factor[0] = (Scalar(2160.0) * omega0_12 + Scalar(2664.0) * omega0_11 * Omega
       - Scalar(8760.0) * omega0_10 * Omega_2 - Scalar(14688.0) * omega0_9 * Omega_3
       - Scalar(5952.0) * omega0_8 * Omega_4 - Scalar(1152.0) * omega0_7 * Omega_5
-      - Scalar(192.0) * omega0_6 * Omega_6) / (Scalar(18.0) * omega0_11 * Omega
-      + Scalar(81.0) * omega0_10 * Omega_2 + Scalar(22.0) * omega0_9 * Omega_3
-      - Scalar(391.0) * omega0_8 * Omega_4 - Scalar(586.0) * omega0_7 * Omega_5
-      + Scalar(163.0) * omega0_6 * Omega_6 + Scalar(906.0) * omega0_5 * Omega_7
-      + Scalar(507.0) * omega0_4 * Omega_8 - Scalar(232.0) * omega0_3 * Omega_9
-      - Scalar(344.0) * omega0_2 * Omega_10 - Scalar(128.0) * omega0 * Omega_11 - Scalar(16.0) * Omega_12);
+      - Scalar(192.0) * omega0_6 * Omega_6) * per_0_3 * per_1_2 * per_2_2 * per_3 * per_4 * per_5 * per_6 / Omega;
   factor[1] = (-Scalar(32256.0) * omega0_15 - Scalar(30464.0) * omega0_14 * Omega
       + Scalar(505344.0) * omega0_13 * Omega_2 + Scalar(66304.0) * omega0_12 * Omega_3
       - Scalar(1827840.0) * omega0_11 * Omega_4
-      + Scalar(1189888.0) * omega0_10 * Omega_5) / (Scalar(44.0) * omega0_13 * Omega_2
-      - Scalar(132.0) * omega0_12 * Omega_3 - Scalar(583.0) * omega0_11 * Omega_4
-      + Scalar(2079.0) * omega0_10 * Omega_5 + Scalar(1496.0) * omega0_9 * Omega_6
-      - Scalar(9768.0) * omega0_8 * Omega_7 + Scalar(2926.0) * omega0_7 * Omega_8
-      + Scalar(16962.0) * omega0_6 * Omega_9 - Scalar(12584.0) * omega0_5 * Omega_10
-      - Scalar(11088.0) * omega0_4 * Omega_11 + Scalar(13057.0) * omega0_3 * Omega_12
-      + Scalar(759.0) * omega0_2 * Omega_13 - Scalar(4356.0) * omega0 * Omega_14 + Scalar(1188.0) * Omega_15);
+      + Scalar(1189888.0) * omega0_10 * Omega_5) * per_0_3 * per_1 * per_7 * per_2_4 * per_3 * per_8 * per_9
+      * per_10 / (Scalar(11.0) * Omega_2);
 }
 
 /// Rows of the harmonic -omega0+3*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(-omega0 + 3*Omega)*t) in x = (2160*omega0^12 + 2664*omega0^11*Omega -
 /// 8760*omega0^10*Omega^2 - 14688*omega0^9*Omega^3 - 5952*omega0^8*Omega^4 - 1152*omega0^7*Omega^5 -
-/// 192*omega0^6*Omega^6)/(18*omega0^11*Omega + 81*omega0^10*Omega^2 + 22*omega0^9*Omega^3 - 391*omega0^8*Omega^4
-/// - 586*omega0^7*Omega^5 + 163*omega0^6*Omega^6 + 906*omega0^5*Omega^7 + 507*omega0^4*Omega^8 -
-/// 232*omega0^3*Omega^9 - 344*omega0^2*Omega^10 - 128*omega0*Omega^11 -
-/// 16*Omega^12)*harmonic_re_x_A_x2_F2*A_x^2*F^2 + (-32256*omega0^15 - 30464*omega0^14*Omega +
-/// 505344*omega0^13*Omega^2 + 66304*omega0^12*Omega^3 - 1827840*omega0^11*Omega^4 +
-/// 1189888*omega0^10*Omega^5)/(44*omega0^13*Omega^2 - 132*omega0^12*Omega^3 - 583*omega0^11*Omega^4 +
-/// 2079*omega0^10*Omega^5 + 1496*omega0^9*Omega^6 - 9768*omega0^8*Omega^7 + 2926*omega0^7*Omega^8 +
-/// 16962*omega0^6*Omega^9 - 12584*omega0^5*Omega^10 - 11088*omega0^4*Omega^11 + 13057*omega0^3*Omega^12 +
-/// 759*omega0^2*Omega^13 - 4356*omega0*Omega^14 + 1188*Omega^15)*harmonic_re_x_conjA_x_F3*conj(A_x)*F^3
+/// 192*omega0^6*Omega^6)/(Omega*(omega0 + Omega)^3*(omega0 + 2*Omega)^2*(omega0 - Omega)^2*(omega0 -
+/// 2*Omega)*(2*omega0 + Omega)*(3*omega0 + Omega)*(3*omega0 + 2*Omega))*harmonic_re_x_A_x2_F2*A_x^2*F^2 +
+/// (-32256*omega0^15 - 30464*omega0^14*Omega + 505344*omega0^13*Omega^2 + 66304*omega0^12*Omega^3 -
+/// 1827840*omega0^11*Omega^4 + 1189888*omega0^10*Omega^5)/(11*Omega^2*(omega0 + Omega)^3*(omega0 +
+/// 2*Omega)*(omega0 + 3*Omega)*(omega0 - Omega)^4*(omega0 - 2*Omega)*(omega0 - 3*Omega)*(2*omega0 -
+/// Omega)*(2*omega0 - 3*Omega))*harmonic_re_x_conjA_x_F3*conj(A_x)*F^3
 /// 2 columns; per observation at most 14 products and sums of complex numbers.
 template <class Factors>
 void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3038,7 +2835,7 @@ inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_9(data, FactorSlopes<factors_9<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic -omega0+4*Omega of x: functions of the frequencies alone. 112
+/// What multiplies the 2 terms of the harmonic -omega0+4*Omega of x: functions of the frequencies alone. 65
 /// operations.
 template <class Scalar>
 void factors_10([[maybe_unused]] const Scalar* natural_frequency,
@@ -3058,45 +2855,34 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_12 = omega0_11 * omega0;
   const Scalar omega0_13 = omega0_12 * omega0;
   const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_0_4 = per_0_3 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar per_2 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_2_2 = per_2 * per_2;
+  const Scalar per_2_3 = per_2_2 * per_2;
+  const Scalar per_2_4 = per_2_3 * per_2;
+  const Scalar per_2_5 = per_2_4 * per_2;
+  const Scalar per_3 = Scalar(1.0) / (omega0 - Scalar(2.0) * Omega);
+  const Scalar per_4 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
+  const Scalar per_5 = Scalar(1.0) / (Scalar(3.0) * omega0 + Omega);
   factor[0] = (-Scalar(12288.0) * omega0_13 - Scalar(32768.0) * omega0_12 * Omega
-      + Scalar(143360.0) * omega0_11 * Omega_2) / (Scalar(21.0) * omega0_12 * Omega_2
-      - Scalar(63.0) * omega0_11 * Omega_3 - Scalar(231.0) * omega0_10 * Omega_4
-      + Scalar(819.0) * omega0_9 * Omega_5 + Scalar(336.0) * omega0_8 * Omega_6
-      - Scalar(2646.0) * omega0_7 * Omega_7 + Scalar(546.0) * omega0_6 * Omega_8
-      + Scalar(3654.0) * omega0_5 * Omega_9 - Scalar(1659.0) * omega0_4 * Omega_10
-      - Scalar(2331.0) * omega0_3 * Omega_11 + Scalar(1365.0) * omega0_2 * Omega_12
-      + Scalar(567.0) * omega0 * Omega_13 - Scalar(378.0) * Omega_14);
+      + Scalar(143360.0) * omega0_11 * Omega_2) * per_0_4 * per_1 * per_2_5 * per_3 * per_4 / (Scalar(21.0)
+      * Omega_2);
   factor[1] = (-Scalar(18432.0) * omega0_11 + Scalar(12288.0) * omega0_10 * Omega
-      + Scalar(169984.0) * omega0_9 * Omega_2) / (Scalar(81.0) * omega0_11 * Omega
-      + Scalar(351.0) * omega0_10 * Omega_2 - Scalar(621.0) * omega0_9 * Omega_3
-      - Scalar(4131.0) * omega0_8 * Omega_4 - Scalar(1782.0) * omega0_7 * Omega_5
-      + Scalar(9558.0) * omega0_6 * Omega_6 + Scalar(8262.0) * omega0_5 * Omega_7
-      - Scalar(7398.0) * omega0_4 * Omega_8 - Scalar(9099.0) * omega0_3 * Omega_9
-      + Scalar(891.0) * omega0_2 * Omega_10 + Scalar(3159.0) * omega0 * Omega_11 + Scalar(729.0) * Omega_12);
+      + Scalar(169984.0) * omega0_9 * Omega_2) * per_0_4 * per_1_2 * per_2_3 * per_4 * per_5 / (Scalar(27.0)
+      * Omega);
 }
 
 /// Rows of the harmonic -omega0+4*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(-omega0 + 4*Omega)*t) in x = (-12288*omega0^13 - 32768*omega0^12*Omega +
-/// 143360*omega0^11*Omega^2)/(21*omega0^12*Omega^2 - 63*omega0^11*Omega^3 - 231*omega0^10*Omega^4 +
-/// 819*omega0^9*Omega^5 + 336*omega0^8*Omega^6 - 2646*omega0^7*Omega^7 + 546*omega0^6*Omega^8 +
-/// 3654*omega0^5*Omega^9 - 1659*omega0^4*Omega^10 - 2331*omega0^3*Omega^11 + 1365*omega0^2*Omega^12 +
-/// 567*omega0*Omega^13 - 378*Omega^14)*conservative_x_A_x_F4*conj(A_x)*F^4 + (-18432*omega0^11 +
-/// 12288*omega0^10*Omega + 169984*omega0^9*Omega^2)/(81*omega0^11*Omega + 351*omega0^10*Omega^2 -
-/// 621*omega0^9*Omega^3 - 4131*omega0^8*Omega^4 - 1782*omega0^7*Omega^5 + 9558*omega0^6*Omega^6 +
-/// 8262*omega0^5*Omega^7 - 7398*omega0^4*Omega^8 - 9099*omega0^3*Omega^9 + 891*omega0^2*Omega^10 +
-/// 3159*omega0*Omega^11 + 729*Omega^12)*conservative_x_conjA_x2_F3*A_x^2*F^3
+/// 143360*omega0^11*Omega^2)/(21*Omega^2*(omega0 + Omega)^4*(omega0 + 3*Omega)*(omega0 - Omega)^5*(omega0 -
+/// 2*Omega)*(omega0 - 3*Omega))*conservative_x_A_x_F4*conj(A_x)*F^4 + (-18432*omega0^11 + 12288*omega0^10*Omega
+/// + 169984*omega0^9*Omega^2)/(27*Omega*(omega0 + Omega)^4*(omega0 + 3*Omega)^2*(omega0 - Omega)^3*(omega0 -
+/// 3*Omega)*(3*omega0 + Omega))*conservative_x_conjA_x2_F3*A_x^2*F^3
 /// 2 columns; per observation at most 12 products and sums of complex numbers.
 template <class Factors>
 void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3131,7 +2917,7 @@ inline void column_slopes_10(const BatchArrays& data, [[maybe_unused]] std::size
   rows_10(data, FactorSlopes<factors_10<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 4*Omega of x: functions of the frequencies alone. 52 operations.
+/// What multiplies the 1 terms of the harmonic 4*Omega of x: functions of the frequencies alone. 55 operations.
 template <class Scalar>
 void factors_11([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -3151,30 +2937,29 @@ void factors_11([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_13 = omega0_12 * omega0;
   const Scalar omega0_14 = omega0_13 * omega0;
   const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_0_4 = per_0_3 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(2.0) * Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_3 = Scalar(1.0) / (omega0 + Scalar(4.0) * Omega);
+  const Scalar per_4 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_4_2 = per_4 * per_4;
+  const Scalar per_4_3 = per_4_2 * per_4;
+  const Scalar per_4_4 = per_4_3 * per_4;
+  const Scalar per_5 = Scalar(1.0) / (omega0 - Scalar(2.0) * Omega);
+  const Scalar per_6 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
+  const Scalar per_7 = Scalar(1.0) / (omega0 - Scalar(4.0) * Omega);
   factor[0] = (Scalar(1433600.0) * omega0_14
-      - Scalar(10035200.0) * omega0_12 * Omega_2) / (Scalar(723.0) * omega0_14
-      - Scalar(23859.0) * omega0_12 * Omega_2 + Scalar(264618.0) * omega0_10 * Omega_4
-      - Scalar(1250790.0) * omega0_8 * Omega_6 + Scalar(2808855.0) * omega0_6 * Omega_8
-      - Scalar(3225303.0) * omega0_4 * Omega_10 + Scalar(1842204.0) * omega0_2 * Omega_12
-      - Scalar(416448.0) * Omega_14);
+      - Scalar(10035200.0) * omega0_12 * Omega_2) * per_0_4 * per_1 * per_2 * per_3 * per_4_4 * per_5 * per_6
+      * per_7 / Scalar(723.0);
 }
 
 /// Rows of the harmonic 4*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(4*Omega)*t) in x = (1433600*omega0^14 - 10035200*omega0^12*Omega^2)/(723*omega0^14 -
-/// 23859*omega0^12*Omega^2 + 264618*omega0^10*Omega^4 - 1250790*omega0^8*Omega^6 + 2808855*omega0^6*Omega^8 -
-/// 3225303*omega0^4*Omega^10 + 1842204*omega0^2*Omega^12 - 416448*Omega^14)*harmonic_re_x_F4*F^4
+/// amplitude of exp(i*(4*Omega)*t) in x = (1433600*omega0^14 - 10035200*omega0^12*Omega^2)/(723*(omega0 +
+/// Omega)^4*(omega0 + 2*Omega)*(omega0 + 3*Omega)*(omega0 + 4*Omega)*(omega0 - Omega)^4*(omega0 -
+/// 2*Omega)*(omega0 - 3*Omega)*(omega0 - 4*Omega))*harmonic_re_x_F4*F^4
 /// 1 columns; per observation at most 1 products and sums of complex numbers.
 template <class Factors>
 void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3204,7 +2989,7 @@ inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size
   rows_11(data, FactorSlopes<factors_11<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 5*Omega of x: functions of the frequencies alone. 49 operations.
+/// What multiplies the 1 terms of the harmonic 5*Omega of x: functions of the frequencies alone. 45 operations.
 template <class Scalar>
 void factors_12([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -3223,29 +3008,26 @@ void factors_12([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_12 = omega0_11 * omega0;
   const Scalar omega0_13 = omega0_12 * omega0;
   const Scalar omega0_14 = omega0_13 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
-  factor[0] = -Scalar(20971520.0) * omega0_14 / (Scalar(91.0) * omega0_14 - Scalar(3549.0) * omega0_12 * Omega_2
-      + Scalar(36855.0) * omega0_10 * Omega_4 - Scalar(134225.0) * omega0_8 * Omega_6
-      + Scalar(236145.0) * omega0_6 * Omega_8 - Scalar(220311.0) * omega0_4 * Omega_10
-      + Scalar(105469.0) * omega0_2 * Omega_12 - Scalar(20475.0) * Omega_14);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_0_4 = per_0_3 * per_0;
+  const Scalar per_0_5 = per_0_4 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega0 + Scalar(5.0) * Omega);
+  const Scalar per_3 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_3_2 = per_3 * per_3;
+  const Scalar per_3_3 = per_3_2 * per_3;
+  const Scalar per_3_4 = per_3_3 * per_3;
+  const Scalar per_3_5 = per_3_4 * per_3;
+  const Scalar per_4 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
+  const Scalar per_5 = Scalar(1.0) / (omega0 - Scalar(5.0) * Omega);
+  factor[0] = -Scalar(20971520.0) * omega0_14 * per_0_5 * per_1 * per_2 * per_3_5 * per_4 * per_5 / Scalar(91.0);
 }
 
 /// Rows of the harmonic 5*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(5*Omega)*t) in x = -20971520*omega0^14/(91*omega0^14 - 3549*omega0^12*Omega^2 +
-/// 36855*omega0^10*Omega^4 - 134225*omega0^8*Omega^6 + 236145*omega0^6*Omega^8 - 220311*omega0^4*Omega^10 +
-/// 105469*omega0^2*Omega^12 - 20475*Omega^14)*harmonic_re_x_F5*F^5
+/// amplitude of exp(i*(5*Omega)*t) in x = -20971520*omega0^14/(91*(omega0 + Omega)^5*(omega0 + 3*Omega)*(omega0
+/// + 5*Omega)*(omega0 - Omega)^5*(omega0 - 3*Omega)*(omega0 - 5*Omega))*harmonic_re_x_F5*F^5
 /// 1 columns; per observation at most 1 products and sums of complex numbers.
 template <class Factors>
 void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3275,7 +3057,7 @@ inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size
   rows_12(data, FactorSlopes<factors_12<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic omega0+3*Omega of x: functions of the frequencies alone. 85
+/// What multiplies the 1 terms of the harmonic omega0+3*Omega of x: functions of the frequencies alone. 72
 /// operations.
 template <class Scalar>
 void factors_13([[maybe_unused]] const Scalar* natural_frequency,
@@ -3300,35 +3082,32 @@ void factors_13([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega_3 = Omega_2 * Omega;
   const Scalar Omega_4 = Omega_3 * Omega;
   const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
-  const Scalar Omega_15 = Omega_14 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_0_4 = per_0_3 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(2.0) * Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_3 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_3_2 = per_3 * per_3;
+  const Scalar per_3_3 = per_3_2 * per_3;
+  const Scalar per_4 = Scalar(1.0) / (omega0 - Scalar(2.0) * Omega);
+  const Scalar per_5 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
+  const Scalar per_6 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  const Scalar per_7 = Scalar(1.0) / (Scalar(2.0) * omega0 + Scalar(3.0) * Omega);
   factor[0] = (-Scalar(32256.0) * omega0_15 + Scalar(30464.0) * omega0_14 * Omega
       + Scalar(505344.0) * omega0_13 * Omega_2 - Scalar(66304.0) * omega0_12 * Omega_3
       - Scalar(1827840.0) * omega0_11 * Omega_4
-      - Scalar(1189888.0) * omega0_10 * Omega_5) / (Scalar(44.0) * omega0_13 * Omega_2
-      + Scalar(132.0) * omega0_12 * Omega_3 - Scalar(583.0) * omega0_11 * Omega_4
-      - Scalar(2079.0) * omega0_10 * Omega_5 + Scalar(1496.0) * omega0_9 * Omega_6
-      + Scalar(9768.0) * omega0_8 * Omega_7 + Scalar(2926.0) * omega0_7 * Omega_8
-      - Scalar(16962.0) * omega0_6 * Omega_9 - Scalar(12584.0) * omega0_5 * Omega_10
-      + Scalar(11088.0) * omega0_4 * Omega_11 + Scalar(13057.0) * omega0_3 * Omega_12
-      - Scalar(759.0) * omega0_2 * Omega_13 - Scalar(4356.0) * omega0 * Omega_14 - Scalar(1188.0) * Omega_15);
+      - Scalar(1189888.0) * omega0_10 * Omega_5) * per_0_4 * per_1 * per_2 * per_3_3 * per_4 * per_5 * per_6
+      * per_7 / (Scalar(11.0) * Omega_2);
 }
 
 /// Rows of the harmonic omega0+3*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + 3*Omega)*t) in x = (-32256*omega0^15 + 30464*omega0^14*Omega +
 /// 505344*omega0^13*Omega^2 - 66304*omega0^12*Omega^3 - 1827840*omega0^11*Omega^4 -
-/// 1189888*omega0^10*Omega^5)/(44*omega0^13*Omega^2 + 132*omega0^12*Omega^3 - 583*omega0^11*Omega^4 -
-/// 2079*omega0^10*Omega^5 + 1496*omega0^9*Omega^6 + 9768*omega0^8*Omega^7 + 2926*omega0^7*Omega^8 -
-/// 16962*omega0^6*Omega^9 - 12584*omega0^5*Omega^10 + 11088*omega0^4*Omega^11 + 13057*omega0^3*Omega^12 -
-/// 759*omega0^2*Omega^13 - 4356*omega0*Omega^14 - 1188*Omega^15)*harmonic_re_x_conjA_x_F3*A_x*F^3
+/// 1189888*omega0^10*Omega^5)/(11*Omega^2*(omega0 + Omega)^4*(omega0 + 2*Omega)*(omega0 + 3*Omega)*(omega0 -
+/// Omega)^3*(omega0 - 2*Omega)*(omega0 - 3*Omega)*(2*omega0 + Omega)*(2*omega0 +
+/// 3*Omega))*harmonic_re_x_conjA_x_F3*A_x*F^3
 /// 1 columns; per observation at most 7 products and sums of complex numbers.
 template <class Factors>
 void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3360,7 +3139,7 @@ inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size
   rows_13(data, FactorSlopes<factors_13<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic omega0+4*Omega of x: functions of the frequencies alone. 70
+/// What multiplies the 1 terms of the harmonic omega0+4*Omega of x: functions of the frequencies alone. 47
 /// operations.
 template <class Scalar>
 void factors_14([[maybe_unused]] const Scalar* natural_frequency,
@@ -3380,34 +3159,27 @@ void factors_14([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_12 = omega0_11 * omega0;
   const Scalar omega0_13 = omega0_12 * omega0;
   const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  const Scalar Omega_5 = Omega_4 * Omega;
-  const Scalar Omega_6 = Omega_5 * Omega;
-  const Scalar Omega_7 = Omega_6 * Omega;
-  const Scalar Omega_8 = Omega_7 * Omega;
-  const Scalar Omega_9 = Omega_8 * Omega;
-  const Scalar Omega_10 = Omega_9 * Omega;
-  const Scalar Omega_11 = Omega_10 * Omega;
-  const Scalar Omega_12 = Omega_11 * Omega;
-  const Scalar Omega_13 = Omega_12 * Omega;
-  const Scalar Omega_14 = Omega_13 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_0_3 = per_0_2 * per_0;
+  const Scalar per_0_4 = per_0_3 * per_0;
+  const Scalar per_0_5 = per_0_4 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega0 + Scalar(2.0) * Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega0 + Scalar(3.0) * Omega);
+  const Scalar per_3 = Scalar(1.0) / (omega0 - Omega);
+  const Scalar per_3_2 = per_3 * per_3;
+  const Scalar per_3_3 = per_3_2 * per_3;
+  const Scalar per_3_4 = per_3_3 * per_3;
+  const Scalar per_4 = Scalar(1.0) / (omega0 - Scalar(3.0) * Omega);
   factor[0] = (-Scalar(12288.0) * omega0_13 + Scalar(32768.0) * omega0_12 * Omega
-      + Scalar(143360.0) * omega0_11 * Omega_2) / (Scalar(21.0) * omega0_12 * Omega_2
-      + Scalar(63.0) * omega0_11 * Omega_3 - Scalar(231.0) * omega0_10 * Omega_4
-      - Scalar(819.0) * omega0_9 * Omega_5 + Scalar(336.0) * omega0_8 * Omega_6
-      + Scalar(2646.0) * omega0_7 * Omega_7 + Scalar(546.0) * omega0_6 * Omega_8
-      - Scalar(3654.0) * omega0_5 * Omega_9 - Scalar(1659.0) * omega0_4 * Omega_10
-      + Scalar(2331.0) * omega0_3 * Omega_11 + Scalar(1365.0) * omega0_2 * Omega_12
-      - Scalar(567.0) * omega0 * Omega_13 - Scalar(378.0) * Omega_14);
+      + Scalar(143360.0) * omega0_11 * Omega_2) * per_0_5 * per_1 * per_2 * per_3_4 * per_4 / (Scalar(21.0)
+      * Omega_2);
 }
 
 /// Rows of the harmonic omega0+4*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + 4*Omega)*t) in x = (-12288*omega0^13 + 32768*omega0^12*Omega +
-/// 143360*omega0^11*Omega^2)/(21*omega0^12*Omega^2 + 63*omega0^11*Omega^3 - 231*omega0^10*Omega^4 -
-/// 819*omega0^9*Omega^5 + 336*omega0^8*Omega^6 + 2646*omega0^7*Omega^7 + 546*omega0^6*Omega^8 -
-/// 3654*omega0^5*Omega^9 - 1659*omega0^4*Omega^10 + 2331*omega0^3*Omega^11 + 1365*omega0^2*Omega^12 -
-/// 567*omega0*Omega^13 - 378*Omega^14)*conservative_x_A_x_F4*A_x*F^4
+/// 143360*omega0^11*Omega^2)/(21*Omega^2*(omega0 + Omega)^5*(omega0 + 2*Omega)*(omega0 + 3*Omega)*(omega0 -
+/// Omega)^4*(omega0 - 3*Omega))*conservative_x_A_x_F4*A_x*F^4
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_14(const BatchArrays& data, Factors factors, double* const* columns) {

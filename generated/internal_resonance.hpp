@@ -163,1295 +163,1956 @@ void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
   slope[29] = -(-Scalar(1.0) * Scalar(excitation[0].value));  // equation 2 by e2
 }
 
-namespace one_to_one {
-
-/// Lumps: the parameter combinations that multiply data.
-/// lumps[0]: conservative_x_A_x2_conjA_y = (36*omega1^5*omega2*b2 - 72*omega1^4*omega2^2*b2 - 24*omega1^4*a1*a2
-/// - 9*omega1^3*omega2^3*b2 + 44*omega1^3*omega2*a1*a2 + 54*omega1^3*omega2*a2*a3 + 18*omega1^2*omega2^4*b2 +
-/// 8*omega1^2*omega2^2*a1*a2 - 12*omega1^2*omega2^2*a2*a3 - 2*omega1*omega2^3*a1*a2 - 12*omega1*omega2^3*a2*a3 +
-/// 4*omega2^4*a1*a2)/(24*omega1^6*omega2 - 48*omega1^5*omega2^2 - 6*omega1^4*omega2^3 + 12*omega1^3*omega2^4)
-/// lumps[1]: mu1 = mu1
-/// lumps[2]: conservative_x_A_x_A_y_conjA_y = (4*omega1^6*omega2^2*b3 - 8*omega1^6*a2*a4 -
-/// 17*omega1^4*omega2^4*b3 - 8*omega1^4*omega2^2*a1*a3 - 4*omega1^4*omega2^2*a2^2 + 34*omega1^4*omega2^2*a2*a4 +
-/// 16*omega1^4*omega2^2*a3^2 + 4*omega1^2*omega2^6*b3 + 34*omega1^2*omega2^4*a1*a3 + 16*omega1^2*omega2^4*a2^2 -
-/// 8*omega1^2*omega2^4*a2*a4 - 4*omega1^2*omega2^4*a3^2 - 8*omega2^6*a1*a3)/(4*omega1^7*omega2^2 -
-/// 17*omega1^5*omega2^4 + 4*omega1^3*omega2^6)
-/// lumps[3]: conservative_x_A_x2_conjA_x = (36*omega1^4*omega2^2*b1 - 48*omega1^4*a2^2 - 9*omega1^2*omega2^4*b1
-/// - 40*omega1^2*omega2^2*a1^2 + 18*omega1^2*omega2^2*a2^2 + 10*omega2^4*a1^2)/(24*omega1^5*omega2^2 -
-/// 6*omega1^3*omega2^4)
-/// lumps[4]: e1 = e1
-/// lumps[5]: conservative_x_A_y2_conjA_y = (9*omega1^4*omega2^2*b4 - 10*omega1^4*a3*a4 - 36*omega1^2*omega2^4*b4
-/// - 18*omega1^2*omega2^2*a2*a3 + 40*omega1^2*omega2^2*a3*a4 + 48*omega2^4*a2*a3)/(6*omega1^5*omega2^2 -
-/// 24*omega1^3*omega2^4)
-/// lumps[6]: conservative_x_A_x_A_y_conjA_x = (12*omega1^6*omega2^2*b2 - 8*omega1^6*a2*a3 -
-/// 51*omega1^4*omega2^4*b2 - 12*omega1^4*omega2^2*a1*a2 + 50*omega1^4*omega2^2*a2*a3 + 12*omega1^2*omega2^6*b2 +
-/// 50*omega1^2*omega2^4*a1*a2 - 12*omega1^2*omega2^4*a2*a3 - 8*omega2^6*a1*a2)/(4*omega1^7*omega2^2 -
-/// 17*omega1^5*omega2^4 + 4*omega1^3*omega2^6)
-/// lumps[7]: conservative_x_A_y2_conjA_x = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 - 3*omega1^3*omega2^3*b3 -
-/// 12*omega1^3*omega2*a2^2 - 2*omega1^3*omega2*a2*a4 - 24*omega1^2*omega2^4*b3 - 12*omega1^2*omega2^2*a1*a3 -
-/// 16*omega1^2*omega2^2*a2*a4 + 24*omega1^2*omega2^2*a3^2 + 12*omega1*omega2^5*b3 + 6*omega1*omega2^3*a1*a3 +
-/// 48*omega1*omega2^3*a2^2 + 8*omega1*omega2^3*a2*a4 + 36*omega1*omega2^3*a3^2 -
-/// 24*omega2^4*a3^2)/(12*omega1^5*omega2^2 - 6*omega1^4*omega2^3 - 48*omega1^3*omega2^4 + 24*omega1^2*omega2^5)
-/// lumps[8]: conservative_y_A_x2_conjA_y = (12*omega1^5*omega2*b3 - 24*omega1^4*omega2^2*b3 - 24*omega1^4*a2^2 -
-/// 3*omega1^3*omega2^3*b3 + 8*omega1^3*omega2*a1*a3 + 36*omega1^3*omega2*a2^2 + 6*omega1^3*omega2*a2*a4 +
-/// 48*omega1^3*omega2*a3^2 + 6*omega1^2*omega2^4*b3 - 16*omega1^2*omega2^2*a1*a3 + 24*omega1^2*omega2^2*a2^2 -
-/// 12*omega1^2*omega2^2*a2*a4 - 2*omega1*omega2^3*a1*a3 - 12*omega1*omega2^3*a3^2 +
-/// 4*omega2^4*a1*a3)/(24*omega1^5*omega2^2 - 48*omega1^4*omega2^3 - 6*omega1^3*omega2^4 + 12*omega1^2*omega2^5)
-/// lumps[9]: conservative_y_A_x_A_y_conjA_y = (12*omega1^6*omega2^2*b4 - 8*omega1^6*a3*a4 -
-/// 51*omega1^4*omega2^4*b4 - 12*omega1^4*omega2^2*a2*a3 + 50*omega1^4*omega2^2*a3*a4 + 12*omega1^2*omega2^6*b4 +
-/// 50*omega1^2*omega2^4*a2*a3 - 12*omega1^2*omega2^4*a3*a4 - 8*omega2^6*a2*a3)/(4*omega1^6*omega2^3 -
-/// 17*omega1^4*omega2^5 + 4*omega1^2*omega2^7)
-/// lumps[10]: conservative_y_A_x2_conjA_x = (36*omega1^4*omega2^2*b2 - 48*omega1^4*a2*a3 -
-/// 9*omega1^2*omega2^4*b2 - 40*omega1^2*omega2^2*a1*a2 + 18*omega1^2*omega2^2*a2*a3 +
-/// 10*omega2^4*a1*a2)/(24*omega1^4*omega2^3 - 6*omega1^2*omega2^5)
-/// lumps[11]: e2 = e2
-/// lumps[12]: mu2 = mu2
-/// lumps[13]: conservative_y_A_y2_conjA_y = (9*omega1^4*omega2^2*b5 - 10*omega1^4*a4^2 - 36*omega1^2*omega2^4*b5
-/// - 18*omega1^2*omega2^2*a3^2 + 40*omega1^2*omega2^2*a4^2 + 48*omega2^4*a3^2)/(6*omega1^4*omega2^3 -
-/// 24*omega1^2*omega2^5)
-/// lumps[14]: conservative_y_A_y2_conjA_x = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 - 9*omega1^3*omega2^3*b4
-/// - 12*omega1^3*omega2*a2*a3 - 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 + 36*omega1*omega2^5*b4 + 54*omega1*omega2^3*a2*a3 + 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(12*omega1^4*omega2^3 - 6*omega1^3*omega2^4 - 48*omega1^2*omega2^5 + 24*omega1*omega2^6)
-/// lumps[15]: a2 = a2
-/// lumps[16]: a3 = a3
-/// lumps[17]: a1 = a1
-/// lumps[18]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
-/// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
-/// lumps[19]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
-/// 12*omega1^3*omega2*a2^2 + 2*omega1^3*omega2*a2*a4 - 24*omega1^2*omega2^4*b3 - 12*omega1^2*omega2^2*a1*a3 -
-/// 16*omega1^2*omega2^2*a2*a4 + 24*omega1^2*omega2^2*a3^2 - 12*omega1*omega2^5*b3 - 6*omega1*omega2^3*a1*a3 -
-/// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 -
-/// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 + 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 - 144*omega1^2*omega2^6
-/// - 48*omega1*omega2^7)
-/// lumps[20]: harmonic_re_x_A_x2_A_y = (36*omega1^5*omega2*b2 + 72*omega1^4*omega2^2*b2 + 24*omega1^4*a1*a2 -
-/// 9*omega1^3*omega2^3*b2 + 44*omega1^3*omega2*a1*a2 + 54*omega1^3*omega2*a2*a3 - 18*omega1^2*omega2^4*b2 -
-/// 8*omega1^2*omega2^2*a1*a2 + 12*omega1^2*omega2^2*a2*a3 - 2*omega1*omega2^3*a1*a2 - 12*omega1*omega2^3*a2*a3 -
-/// 4*omega2^4*a1*a2)/(36*omega1^7*omega2 + 120*omega1^6*omega2^2 + 99*omega1^5*omega2^3 - 6*omega1^4*omega2^4 -
-/// 27*omega1^3*omega2^5 - 6*omega1^2*omega2^6)
-/// lumps[21]: harmonic_re_x_A_x3 = (12*omega1^4*b1 - 3*omega1^2*omega2^2*b1 + 8*omega1^2*a1^2 + 6*omega1^2*a2^2
-/// - 2*omega2^2*a1^2)/(96*omega1^6 - 24*omega1^4*omega2^2)
-/// lumps[22]: a4 = a4
-/// lumps[23]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
-/// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
-/// lumps[24]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
-/// 12*omega1^3*omega2*a2*a3 + 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 - 36*omega1*omega2^5*b4 - 54*omega1*omega2^3*a2*a3 - 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 + 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 - 99*omega1^3*omega2^5 -
-/// 120*omega1^2*omega2^6 - 36*omega1*omega2^7)
-/// lumps[25]: harmonic_re_y_A_x2_A_y = (12*omega1^5*omega2*b3 + 24*omega1^4*omega2^2*b3 + 24*omega1^4*a2^2 -
-/// 3*omega1^3*omega2^3*b3 + 8*omega1^3*omega2*a1*a3 + 36*omega1^3*omega2*a2^2 + 6*omega1^3*omega2*a2*a4 +
-/// 48*omega1^3*omega2*a3^2 - 6*omega1^2*omega2^4*b3 + 16*omega1^2*omega2^2*a1*a3 - 24*omega1^2*omega2^2*a2^2 +
-/// 12*omega1^2*omega2^2*a2*a4 - 2*omega1*omega2^3*a1*a3 - 12*omega1*omega2^3*a3^2 -
-/// 4*omega2^4*a1*a3)/(48*omega1^7*omega2 + 144*omega1^6*omega2^2 + 84*omega1^5*omega2^3 - 36*omega1^4*omega2^4 -
-/// 24*omega1^3*omega2^5)
-/// lumps[26]: harmonic_re_y_A_x3 = (12*omega1^4*b2 - 3*omega1^2*omega2^2*b2 + 8*omega1^2*a1*a2 +
-/// 6*omega1^2*a2*a3 - 2*omega2^2*a1*a2)/(108*omega1^6 - 39*omega1^4*omega2^2 + 3*omega1^2*omega2^4)
-/// 946 operations.
+/// conservative_x_A_x2_conjA_y = (9*omega1^2*b2 + 2*a1*a2)/(6*omega1^3) + 2*a2*a3/(omega1^2*(omega1 - 2*omega2))
+/// - 2*a1*a2/(omega1*omega2*(2*omega1 - omega2)) + a2*a3/(omega1*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 42 operations.
 template <class Scalar>
-void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
+Scalar lump_0(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar f_0 = Scalar(3.0) * b2 / (Scalar(2.0) * omega1);
+  const Scalar f_1 = a1 * a2 / (Scalar(3.0) * omega1_3);
+  const Scalar f_2 = Scalar(2.0) * a2 * a3 * per_0 / omega1_2;
+  const Scalar f_3 = -Scalar(2.0) * a1 * a2 * per_1 / (omega1 * omega2);
+  const Scalar f_4 = a2 * a3 * per_2 * per_1 / omega1;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  const Scalar q_1 = (f_3 + f_4) * per_1;
+  const Scalar q_2 = f_4 * per_2;
+  // by omega1
+  gradient[0] = (-f_0 - Scalar(3.0) * f_1 - Scalar(2.0) * f_2 - f_3 - f_4) / omega1 - q_0 - Scalar(2.0) * q_1
+      - Scalar(2.0) * q_2;
+  gradient[1] = -f_3 / omega2 + Scalar(2.0) * q_0 + q_1 - q_2;  // by omega2
+  // multiplies a1*a2
+  const Scalar c_0 = Scalar(1.0) / (Scalar(3.0) * omega1_3) - Scalar(2.0) * per_1 / (omega1 * omega2);
+  const Scalar c_1 = Scalar(2.0) * per_0 / omega1_2 + per_2 * per_1 / omega1;  // multiplies a2*a3
+  const Scalar c_2 = Scalar(3.0) / (Scalar(2.0) * omega1);  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// conservative_x_A_x_A_y_conjA_y = (omega1^2*omega2^2*b3 - 2*omega1^2*a2*a4 -
+/// 2*omega2^2*a1*a3)/(omega1^3*omega2^2) + 4*a3^2/(omega1*(omega1 + 2*omega2)*(omega1 - 2*omega2)) -
+/// 4*a2^2/(omega1*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 40 operations.
+template <class Scalar>
+Scalar lump_1(const Scalar* parameters, Scalar* gradient) {
   const Scalar omega1 = parameters[0];
   const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
   const Scalar a2 = parameters[3];
   const Scalar a3 = parameters[4];
   const Scalar a4 = parameters[5];
-  const Scalar b1 = parameters[6];
-  const Scalar b2 = parameters[7];
   const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = b3 / omega1;
+  const Scalar f_1 = -Scalar(2.0) * a2 * a4 / (omega1 * omega2_2);
+  const Scalar f_2 = -Scalar(2.0) * a1 * a3 / omega1_3;
+  const Scalar f_3 = Scalar(4.0) * a3_2 * per_0 * per_1 / omega1;
+  const Scalar f_4 = -Scalar(4.0) * a2_2 * per_2 * per_3 / omega1;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_3 * per_0;
+  const Scalar q_1 = f_3 * per_1;
+  const Scalar q_2 = f_4 * per_2;
+  const Scalar q_3 = f_4 * per_3;
+  // by omega1
+  gradient[0] = (-f_0 - f_1 - Scalar(3.0) * f_2 - f_3 - f_4) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  gradient[1] = -Scalar(2.0) * f_1 / omega2 - Scalar(2.0) * q_0 + Scalar(2.0) * q_1 - q_2 + q_3;  // by omega2
+  const Scalar c_0 = -Scalar(2.0) / omega1_3;  // multiplies a1*a3
+  const Scalar c_1 = -Scalar(4.0) * per_2 * per_3 / omega1;  // multiplies a2^2
+  const Scalar c_2 = -Scalar(2.0) / (omega1 * omega2_2);  // multiplies a2*a4
+  const Scalar c_3 = Scalar(4.0) * per_0 * per_1 / omega1;  // multiplies a3^2
+  const Scalar c_4 = Scalar(1.0) / omega1;  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// conservative_x_A_x2_conjA_x = (9*omega1^2*b1 - 10*a1^2)/(6*omega1^3) + (-8*omega1^2*a2^2 +
+/// 3*omega2^2*a2^2)/(omega1*omega2^2*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 34 operations.
+template <class Scalar>
+Scalar lump_2(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar b1 = parameters[6];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a1_2 = a1 * a1;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b1 / (Scalar(2.0) * omega1);
+  const Scalar f_1 = -Scalar(5.0) * a1_2 / (Scalar(3.0) * omega1_3);
+  const Scalar f_2 = -Scalar(8.0) * omega1 * a2_2 * per_0 * per_1 / omega2_2;
+  const Scalar f_3 = Scalar(3.0) * a2_2 * per_0 * per_1 / omega1;
+  const Scalar value = f_0 + f_1 + f_2 + f_3;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_2 + f_3) * per_0;
+  const Scalar q_1 = (f_2 + f_3) * per_1;
+  // by omega1
+  gradient[0] = (-f_0 - Scalar(3.0) * f_1 + f_2 - f_3) / omega1 - Scalar(2.0) * q_0 - Scalar(2.0) * q_1;
+  gradient[1] = -Scalar(2.0) * f_2 / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = -Scalar(5.0) / (Scalar(3.0) * omega1_3);  // multiplies a1^2
+  // multiplies a2^2
+  const Scalar c_1 = (-Scalar(8.0) * omega1_2 + Scalar(3.0) * omega2_2) * per_0 * per_1 / (omega1 * omega2_2);
+  const Scalar c_2 = Scalar(3.0) / (Scalar(2.0) * omega1);  // multiplies b1
+  gradient[2] = Scalar(2.0) * a1 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1;  // by a2
+  gradient[6] = c_2;  // by b1
+  return value;
+}
+
+/// conservative_x_A_y2_conjA_y = (9*omega2^2*b4 - 10*a3*a4)/(6*omega1*omega2^2) + (-3*omega1^2*a2*a3 +
+/// 8*omega2^2*a2*a3)/(omega1^3*(omega1 + 2*omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 36 operations.
+template <class Scalar>
+Scalar lump_3(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
   const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = Scalar(3.0) * b4 / (Scalar(2.0) * omega1);
+  const Scalar f_1 = -Scalar(5.0) * a3 * a4 / (Scalar(3.0) * omega1 * omega2_2);
+  const Scalar f_2 = -Scalar(3.0) * a2 * a3 * per_0 * per_1 / omega1;
+  const Scalar f_3 = Scalar(8.0) * omega2_2 * a2 * a3 * per_0 * per_1 / omega1_3;
+  const Scalar value = f_0 + f_1 + f_2 + f_3;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_2 + f_3) * per_0;
+  const Scalar q_1 = (f_2 + f_3) * per_1;
+  gradient[0] = (-f_0 - f_1 - f_2 - Scalar(3.0) * f_3) / omega1 - q_0 - q_1;  // by omega1
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 + Scalar(2.0) * f_3) / omega2 - Scalar(2.0) * q_0 + Scalar(2.0) * q_1;
+  // multiplies a2*a3
+  const Scalar c_0 = (-Scalar(3.0) * omega1_2 + Scalar(8.0) * omega2_2) * per_0 * per_1 / omega1_3;
+  const Scalar c_1 = -Scalar(5.0) / (Scalar(3.0) * omega1 * omega2_2);  // multiplies a3*a4
+  const Scalar c_2 = Scalar(3.0) / (Scalar(2.0) * omega1);  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// conservative_x_A_x_A_y_conjA_x = 3*b2/omega1 + (-2*omega1^2*a2*a3 +
+/// 12*omega2^2*a2*a3)/(omega1*omega2^2*(omega1 + 2*omega2)*(omega1 - 2*omega2)) + (-12*omega1^2*a1*a2 +
+/// 2*omega2^2*a1*a2)/(omega1^3*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 50 operations.
+template <class Scalar>
+Scalar lump_4(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b2 / omega1;
+  const Scalar f_1 = -Scalar(2.0) * omega1 * a2 * a3 * per_0 * per_1 / omega2_2;
+  const Scalar f_2 = Scalar(12.0) * a2 * a3 * per_0 * per_1 / omega1;
+  const Scalar f_3 = -Scalar(12.0) * a1 * a2 * per_2 * per_3 / omega1;
+  const Scalar f_4 = Scalar(2.0) * omega2_2 * a1 * a2 * per_2 * per_3 / omega1_3;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_1 + f_2) * per_0;
+  const Scalar q_1 = (f_1 + f_2) * per_1;
+  const Scalar q_2 = (f_3 + f_4) * per_2;
+  const Scalar q_3 = (f_3 + f_4) * per_3;
+  // by omega1
+  gradient[0] = (-f_0 + f_1 - f_2 - f_3 - Scalar(3.0) * f_4) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 + Scalar(2.0) * f_4) / omega2 - Scalar(2.0) * q_0 + Scalar(2.0) * q_1 - q_2
+      + q_3;
+  // multiplies a1*a2
+  const Scalar c_0 = (-Scalar(12.0) * omega1_2 + Scalar(2.0) * omega2_2) * per_2 * per_3 / omega1_3;
+  // multiplies a2*a3
+  const Scalar c_1 = (-Scalar(2.0) * omega1_2 + Scalar(12.0) * omega2_2) * per_0 * per_1 / (omega1 * omega2_2);
+  const Scalar c_2 = Scalar(3.0) / omega1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// conservative_x_A_y2_conjA_x = (3*omega2^2*b3 + 2*a2*a4)/(6*omega1*omega2^2) + 2*a3^2/(omega1^2*(omega1 -
+/// 2*omega2)) - 2*a2^2/(omega1*omega2*(2*omega1 - omega2)) - a1*a3/(omega1*(omega1 + 2*omega2)*(omega1 -
+/// 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 41 operations.
+template <class Scalar>
+Scalar lump_5(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar f_0 = b3 / (Scalar(2.0) * omega1);
+  const Scalar f_1 = a2 * a4 / (Scalar(3.0) * omega1 * omega2_2);
+  const Scalar f_2 = Scalar(2.0) * a3_2 * per_0 / omega1_2;
+  const Scalar f_3 = -Scalar(2.0) * a2_2 * per_1 / (omega1 * omega2);
+  const Scalar f_4 = -a1 * a3 * per_2 * per_0 / omega1;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_2 + f_4) * per_0;
+  const Scalar q_1 = f_3 * per_1;
+  const Scalar q_2 = f_4 * per_2;
+  gradient[0] = (-f_0 - f_1 - Scalar(2.0) * f_2 - f_3 - f_4) / omega1 - q_0 - Scalar(2.0) * q_1 - q_2;  // by omega1
+  gradient[1] = (-Scalar(2.0) * f_1 - f_3) / omega2 + Scalar(2.0) * q_0 + q_1 - Scalar(2.0) * q_2;  // by omega2
+  const Scalar c_0 = -per_2 * per_0 / omega1;  // multiplies a1*a3
+  const Scalar c_1 = -Scalar(2.0) * per_1 / (omega1 * omega2);  // multiplies a2^2
+  const Scalar c_2 = Scalar(1.0) / (Scalar(3.0) * omega1 * omega2_2);  // multiplies a2*a4
+  const Scalar c_3 = Scalar(2.0) * per_0 / omega1_2;  // multiplies a3^2
+  const Scalar c_4 = Scalar(1.0) / (Scalar(2.0) * omega1);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// conservative_y_A_x2_conjA_y = (3*omega1^2*b3 + 2*a1*a3)/(6*omega1^2*omega2) + 2*a3^2/(omega1*omega2*(omega1 -
+/// 2*omega2)) - 2*a2^2/(omega2^2*(2*omega1 - omega2)) + a2*a4/(omega2*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 41 operations.
+template <class Scalar>
+Scalar lump_6(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar f_0 = b3 / (Scalar(2.0) * omega2);
+  const Scalar f_1 = a1 * a3 / (Scalar(3.0) * omega1_2 * omega2);
+  const Scalar f_2 = Scalar(2.0) * a3_2 * per_0 / (omega1 * omega2);
+  const Scalar f_3 = -Scalar(2.0) * a2_2 * per_1 / omega2_2;
+  const Scalar f_4 = a2 * a4 * per_2 * per_1 / omega2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  const Scalar q_1 = (f_3 + f_4) * per_1;
+  const Scalar q_2 = f_4 * per_2;
+  gradient[0] = (-Scalar(2.0) * f_1 - f_2) / omega1 - q_0 - Scalar(2.0) * q_1 - Scalar(2.0) * q_2;  // by omega1
+  gradient[1] = (-f_0 - f_1 - f_2 - Scalar(2.0) * f_3 - f_4) / omega2 + Scalar(2.0) * q_0 + q_1 - q_2;  // by omega2
+  const Scalar c_0 = Scalar(1.0) / (Scalar(3.0) * omega1_2 * omega2);  // multiplies a1*a3
+  const Scalar c_1 = -Scalar(2.0) * per_1 / omega2_2;  // multiplies a2^2
+  const Scalar c_2 = per_2 * per_1 / omega2;  // multiplies a2*a4
+  const Scalar c_3 = Scalar(2.0) * per_0 / (omega1 * omega2);  // multiplies a3^2
+  const Scalar c_4 = Scalar(1.0) / (Scalar(2.0) * omega2);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// conservative_y_A_x_A_y_conjA_y = 3*b4/omega2 + (-2*omega1^2*a3*a4 + 12*omega2^2*a3*a4)/(omega2^3*(omega1 +
+/// 2*omega2)*(omega1 - 2*omega2)) + (-12*omega1^2*a2*a3 + 2*omega2^2*a2*a3)/(omega1^2*omega2*(2*omega1 +
+/// omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 50 operations.
+template <class Scalar>
+Scalar lump_7(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b4 / omega2;
+  const Scalar f_1 = -Scalar(2.0) * omega1_2 * a3 * a4 * per_0 * per_1 / omega2_3;
+  const Scalar f_2 = Scalar(12.0) * a3 * a4 * per_0 * per_1 / omega2;
+  const Scalar f_3 = -Scalar(12.0) * a2 * a3 * per_2 * per_3 / omega2;
+  const Scalar f_4 = Scalar(2.0) * omega2 * a2 * a3 * per_2 * per_3 / omega1_2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_1 + f_2) * per_0;
+  const Scalar q_1 = (f_1 + f_2) * per_1;
+  const Scalar q_2 = (f_3 + f_4) * per_2;
+  const Scalar q_3 = (f_3 + f_4) * per_3;
+  // by omega1
+  gradient[0] = (Scalar(2.0) * f_1 - Scalar(2.0) * f_4) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  // by omega2
+  gradient[1] = (-f_0 - Scalar(3.0) * f_1 - f_2 - f_3 + f_4) / omega2 - Scalar(2.0) * q_0 + Scalar(2.0) * q_1 - q_2
+      + q_3;
+  // multiplies a2*a3
+  const Scalar c_0 = (-Scalar(12.0) * omega1_2 + Scalar(2.0) * omega2_2) * per_2 * per_3 / (omega1_2 * omega2);
+  // multiplies a3*a4
+  const Scalar c_1 = (-Scalar(2.0) * omega1_2 + Scalar(12.0) * omega2_2) * per_0 * per_1 / omega2_3;
+  const Scalar c_2 = Scalar(3.0) / omega2;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// conservative_y_A_x2_conjA_x = (9*omega1^2*b2 - 10*a1*a2)/(6*omega1^2*omega2) + (-8*omega1^2*a2*a3 +
+/// 3*omega2^2*a2*a3)/(omega2^3*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 36 operations.
+template <class Scalar>
+Scalar lump_8(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b2 / (Scalar(2.0) * omega2);
+  const Scalar f_1 = -Scalar(5.0) * a1 * a2 / (Scalar(3.0) * omega1_2 * omega2);
+  const Scalar f_2 = -Scalar(8.0) * omega1_2 * a2 * a3 * per_0 * per_1 / omega2_3;
+  const Scalar f_3 = Scalar(3.0) * a2 * a3 * per_0 * per_1 / omega2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_2 + f_3) * per_0;
+  const Scalar q_1 = (f_2 + f_3) * per_1;
+  // by omega1
+  gradient[0] = (-Scalar(2.0) * f_1 + Scalar(2.0) * f_2) / omega1 - Scalar(2.0) * q_0 - Scalar(2.0) * q_1;
+  gradient[1] = (-f_0 - f_1 - Scalar(3.0) * f_2 - f_3) / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = -Scalar(5.0) / (Scalar(3.0) * omega1_2 * omega2);  // multiplies a1*a2
+  // multiplies a2*a3
+  const Scalar c_1 = (-Scalar(8.0) * omega1_2 + Scalar(3.0) * omega2_2) * per_0 * per_1 / omega2_3;
+  const Scalar c_2 = Scalar(3.0) / (Scalar(2.0) * omega2);  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// conservative_y_A_y2_conjA_y = (9*omega2^2*b5 - 10*a4^2)/(6*omega2^3) + (-3*omega1^2*a3^2 +
+/// 8*omega2^2*a3^2)/(omega1^2*omega2*(omega1 + 2*omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 34 operations.
+template <class Scalar>
+Scalar lump_9(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
   const Scalar b5 = parameters[10];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar a4_2 = a4 * a4;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = Scalar(3.0) * b5 / (Scalar(2.0) * omega2);
+  const Scalar f_1 = -Scalar(5.0) * a4_2 / (Scalar(3.0) * omega2_3);
+  const Scalar f_2 = -Scalar(3.0) * a3_2 * per_0 * per_1 / omega2;
+  const Scalar f_3 = Scalar(8.0) * omega2 * a3_2 * per_0 * per_1 / omega1_2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_2 + f_3) * per_0;
+  const Scalar q_1 = (f_2 + f_3) * per_1;
+  gradient[0] = -Scalar(2.0) * f_3 / omega1 - q_0 - q_1;  // by omega1
+  // by omega2
+  gradient[1] = (-f_0 - Scalar(3.0) * f_1 - f_2 + f_3) / omega2 - Scalar(2.0) * q_0 + Scalar(2.0) * q_1;
+  // multiplies a3^2
+  const Scalar c_0 = (-Scalar(3.0) * omega1_2 + Scalar(8.0) * omega2_2) * per_0 * per_1 / (omega1_2 * omega2);
+  const Scalar c_1 = -Scalar(5.0) / (Scalar(3.0) * omega2_3);  // multiplies a4^2
+  const Scalar c_2 = Scalar(3.0) / (Scalar(2.0) * omega2);  // multiplies b5
+  gradient[4] = Scalar(2.0) * a3 * c_0;  // by a3
+  gradient[5] = Scalar(2.0) * a4 * c_1;  // by a4
+  gradient[10] = c_2;  // by b5
+  return value;
+}
+
+/// conservative_y_A_y2_conjA_x = (9*omega2^2*b4 + 2*a3*a4)/(6*omega2^3) + 2*a3*a4/(omega1*omega2*(omega1 -
+/// 2*omega2)) - 2*a2*a3/(omega2^2*(2*omega1 - omega2)) - a2*a3/(omega2*(omega1 + 2*omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 42 operations.
+template <class Scalar>
+Scalar lump_10(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar f_0 = Scalar(3.0) * b4 / (Scalar(2.0) * omega2);
+  const Scalar f_1 = a3 * a4 / (Scalar(3.0) * omega2_3);
+  const Scalar f_2 = Scalar(2.0) * a3 * a4 * per_0 / (omega1 * omega2);
+  const Scalar f_3 = -Scalar(2.0) * a2 * a3 * per_1 / omega2_2;
+  const Scalar f_4 = -a2 * a3 * per_2 * per_0 / omega2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_2 + f_4) * per_0;
+  const Scalar q_1 = f_3 * per_1;
+  const Scalar q_2 = f_4 * per_2;
+  gradient[0] = -f_2 / omega1 - q_0 - Scalar(2.0) * q_1 - q_2;  // by omega1
+  // by omega2
+  gradient[1] = (-f_0 - Scalar(3.0) * f_1 - f_2 - Scalar(2.0) * f_3 - f_4) / omega2 + Scalar(2.0) * q_0 + q_1
+      - Scalar(2.0) * q_2;
+  const Scalar c_0 = -Scalar(2.0) * per_1 / omega2_2 - per_2 * per_0 / omega2;  // multiplies a2*a3
+  // multiplies a3*a4
+  const Scalar c_1 = Scalar(1.0) / (Scalar(3.0) * omega2_3) + Scalar(2.0) * per_0 / (omega1 * omega2);
+  const Scalar c_2 = Scalar(3.0) / (Scalar(2.0) * omega2);  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// harmonic_re_x_A_y3 = (-3*omega2^2*b4 - 2*a3*a4)/(3*omega2^2*(omega1 + 3*omega2)*(omega1 - 3*omega2)) +
+/// 2*a2*a3/((omega1 + 2*omega2)*(omega1 + 3*omega2)*(omega1 - 2*omega2)*(omega1 - 3*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 36 operations.
+template <class Scalar>
+Scalar lump_11(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(3.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(3.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = -b4 * per_0 * per_1;
+  const Scalar f_1 = -Scalar(2.0) * a3 * a4 * per_0 * per_1 / (Scalar(3.0) * omega2_2);
+  const Scalar f_2 = Scalar(2.0) * a2 * a3 * per_2 * per_0 * per_3 * per_1;
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  const Scalar q_2 = f_2 * per_2;
+  const Scalar q_3 = f_2 * per_3;
+  gradient[0] = -q_0 - q_1 - q_2 - q_3;  // by omega1
+  // by omega2
+  gradient[1] = -Scalar(2.0) * f_1 / omega2 - Scalar(3.0) * q_0 + Scalar(3.0) * q_1 - Scalar(2.0) * q_2
+      + Scalar(2.0) * q_3;
+  const Scalar c_0 = Scalar(2.0) * per_2 * per_0 * per_3 * per_1;  // multiplies a2*a3
+  const Scalar c_1 = -Scalar(2.0) * per_0 * per_1 / (Scalar(3.0) * omega2_2);  // multiplies a3*a4
+  const Scalar c_2 = -per_0 * per_1;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// harmonic_re_x_A_x_A_y2 = (3*omega2^2*b3 + 2*a2*a4)/(12*omega2^3*(omega1 + omega2)) +
+/// a3^2/(omega1*omega2*(omega1 + omega2)*(omega1 + 2*omega2)) + a2^2/(omega2^2*(omega1 + omega2)*(2*omega1 +
+/// omega2)) - a1*a3/(2*omega2*(omega1 + omega2)*(omega1 + 2*omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 51 operations.
+template <class Scalar>
+Scalar lump_12(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = b3 * per_0 / (Scalar(4.0) * omega2);
+  const Scalar f_1 = a2 * a4 * per_0 / (Scalar(6.0) * omega2_3);
+  const Scalar f_2 = a3_2 * per_0 * per_1 / (omega1 * omega2);
+  const Scalar f_3 = a2_2 * per_0 * per_2 / omega2_2;
+  const Scalar f_4 = -a1 * a3 * per_0 * per_1 * per_3 / (Scalar(2.0) * omega2);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_0;
+  const Scalar q_1 = (f_2 + f_4) * per_1;
+  const Scalar q_2 = f_3 * per_2;
+  const Scalar q_3 = f_4 * per_3;
+  gradient[0] = -f_2 / omega1 - q_0 - q_1 - Scalar(2.0) * q_2 - q_3;  // by omega1
+  // by omega2
+  gradient[1] = (-f_0 - Scalar(3.0) * f_1 - f_2 - Scalar(2.0) * f_3 - f_4) / omega2 - q_0 - Scalar(2.0) * q_1 - q_2
+      + Scalar(2.0) * q_3;
+  const Scalar c_0 = -per_0 * per_1 * per_3 / (Scalar(2.0) * omega2);  // multiplies a1*a3
+  const Scalar c_1 = per_0 * per_2 / omega2_2;  // multiplies a2^2
+  const Scalar c_2 = per_0 / (Scalar(6.0) * omega2_3);  // multiplies a2*a4
+  const Scalar c_3 = per_0 * per_1 / (omega1 * omega2);  // multiplies a3^2
+  const Scalar c_4 = per_0 / (Scalar(4.0) * omega2);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_x2_A_y = 3*b2/((omega1 + omega2)*(3*omega1 + omega2)) + (12*omega1^2*a1*a2 +
+/// 4*omega1*omega2*a1*a2 + 2*omega2^2*a1*a2)/(3*omega1^2*omega2*(omega1 + omega2)*(2*omega1 + omega2)*(3*omega1
+/// + omega2)) + (18*omega1^2*a2*a3 + 4*omega1*omega2*a2*a3 - 4*omega2^2*a2*a3)/(omega1*(omega1 + omega2)*(omega1
+/// + 2*omega2)*(2*omega1 + omega2)*(2*omega1 - omega2)*(3*omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 89 operations.
+template <class Scalar>
+Scalar lump_13(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(3.0) * omega1 + omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_4 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b2 * per_0 * per_1;
+  const Scalar f_1 = Scalar(4.0) * a1 * a2 * per_0 * per_2 * per_1 / omega2;
+  const Scalar f_2 = Scalar(4.0) * a1 * a2 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega1);
+  const Scalar f_3 = Scalar(2.0) * omega2 * a1 * a2 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega1_2);
+  const Scalar f_4 = Scalar(18.0) * omega1 * a2 * a3 * per_0 * per_3 * per_2 * per_4 * per_1;
+  const Scalar f_5 = Scalar(4.0) * omega2 * a2 * a3 * per_0 * per_3 * per_2 * per_4 * per_1;
+  const Scalar f_6 = -Scalar(4.0) * omega2_2 * a2 * a3 * per_0 * per_3 * per_2 * per_4 * per_1 / omega1;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_1;
+  const Scalar q_2 = (f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_2;
+  const Scalar q_3 = (f_4 + f_5 + f_6) * per_3;
+  const Scalar q_4 = (f_4 + f_5 + f_6) * per_4;
+  // by omega1
+  gradient[0] = (-f_2 - Scalar(2.0) * f_3 + f_4 - f_6) / omega1 - q_0 - Scalar(3.0) * q_1 - Scalar(2.0) * q_2 - q_3
+      - Scalar(2.0) * q_4;
+  // by omega2
+  gradient[1] = (-f_1 + f_3 + f_5 + Scalar(2.0) * f_6) / omega2 - q_0 - q_1 - q_2 - Scalar(2.0) * q_3 + q_4;
+  // multiplies a1*a2
+  const Scalar c_0 = (Scalar(12.0) * omega1_2 + Scalar(4.0) * omega1 * omega2
+      + Scalar(2.0) * omega2_2) * per_0 * per_2 * per_1 / (Scalar(3.0) * omega1_2 * omega2);
+  // multiplies a2*a3
+  const Scalar c_1 = (Scalar(18.0) * omega1_2 + Scalar(4.0) * omega1 * omega2
+      - Scalar(4.0) * omega2_2) * per_0 * per_3 * per_2 * per_4 * per_1 / omega1;
+  const Scalar c_2 = Scalar(3.0) * per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// harmonic_re_x_A_x3 = (3*omega1^2*b1 + 2*a1^2)/(24*omega1^4) + a2^2/(4*omega1^2*(2*omega1 + omega2)*(2*omega1
+/// - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 24 operations.
+template <class Scalar>
+Scalar lump_14(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar b1 = parameters[6];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar a1_2 = a1 * a1;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = b1 / (Scalar(8.0) * omega1_2);
+  const Scalar f_1 = a1_2 / (Scalar(12.0) * omega1_4);
+  const Scalar f_2 = a2_2 * per_0 * per_1 / (Scalar(4.0) * omega1_2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  const Scalar q_1 = f_2 * per_1;
+  // by omega1
+  gradient[0] = (-Scalar(2.0) * f_0 - Scalar(4.0) * f_1 - Scalar(2.0) * f_2) / omega1 - Scalar(2.0) * q_0
+      - Scalar(2.0) * q_1;
+  gradient[1] = -q_0 + q_1;  // by omega2
+  const Scalar c_0 = Scalar(1.0) / (Scalar(12.0) * omega1_4);  // multiplies a1^2
+  const Scalar c_1 = per_0 * per_1 / (Scalar(4.0) * omega1_2);  // multiplies a2^2
+  const Scalar c_2 = Scalar(1.0) / (Scalar(8.0) * omega1_2);  // multiplies b1
+  gradient[2] = Scalar(2.0) * a1 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1;  // by a2
+  gradient[6] = c_2;  // by b1
+  return value;
+}
+
+/// harmonic_re_y_A_y3 = (3*omega2^2*b5 + 2*a4^2)/(24*omega2^4) - a3^2/(4*omega2^2*(omega1 + 2*omega2)*(omega1 -
+/// 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 24 operations.
+template <class Scalar>
+Scalar lump_15(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b5 = parameters[10];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar a4_2 = a4 * a4;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = b5 / (Scalar(8.0) * omega2_2);
+  const Scalar f_1 = a4_2 / (Scalar(12.0) * omega2_4);
+  const Scalar f_2 = -a3_2 * per_0 * per_1 / (Scalar(4.0) * omega2_2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  const Scalar q_1 = f_2 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_0 - Scalar(4.0) * f_1 - Scalar(2.0) * f_2) / omega2 - Scalar(2.0) * q_0
+      + Scalar(2.0) * q_1;
+  const Scalar c_0 = -per_0 * per_1 / (Scalar(4.0) * omega2_2);  // multiplies a3^2
+  const Scalar c_1 = Scalar(1.0) / (Scalar(12.0) * omega2_4);  // multiplies a4^2
+  const Scalar c_2 = Scalar(1.0) / (Scalar(8.0) * omega2_2);  // multiplies b5
+  gradient[4] = Scalar(2.0) * a3 * c_0;  // by a3
+  gradient[5] = Scalar(2.0) * a4 * c_1;  // by a4
+  gradient[10] = c_2;  // by b5
+  return value;
+}
+
+/// harmonic_re_y_A_x_A_y2 = 3*b4/((omega1 + omega2)*(omega1 + 3*omega2)) + (2*omega1^2*a3*a4 +
+/// 4*omega1*omega2*a3*a4 + 12*omega2^2*a3*a4)/(3*omega1*omega2^2*(omega1 + omega2)*(omega1 + 2*omega2)*(omega1 +
+/// 3*omega2)) + (4*omega1^2*a2*a3 - 4*omega1*omega2*a2*a3 - 18*omega2^2*a2*a3)/(omega2*(omega1 + omega2)*(omega1
+/// + 2*omega2)*(omega1 + 3*omega2)*(omega1 - 2*omega2)*(2*omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 89 operations.
+template <class Scalar>
+Scalar lump_16(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(3.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_4 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar f_0 = Scalar(3.0) * b4 * per_0 * per_1;
+  const Scalar f_1 = Scalar(2.0) * omega1 * a3 * a4 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega2_2);
+  const Scalar f_2 = Scalar(4.0) * a3 * a4 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega2);
+  const Scalar f_3 = Scalar(4.0) * a3 * a4 * per_0 * per_2 * per_1 / omega1;
+  const Scalar f_4 = Scalar(4.0) * omega1_2 * a2 * a3 * per_0 * per_2 * per_1 * per_3 * per_4 / omega2;
+  const Scalar f_5 = -Scalar(4.0) * omega1 * a2 * a3 * per_0 * per_2 * per_1 * per_3 * per_4;
+  const Scalar f_6 = -Scalar(18.0) * omega2 * a2 * a3 * per_0 * per_2 * per_1 * per_3 * per_4;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_1;
+  const Scalar q_2 = (f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_2;
+  const Scalar q_3 = (f_4 + f_5 + f_6) * per_3;
+  const Scalar q_4 = (f_4 + f_5 + f_6) * per_4;
+  // by omega1
+  gradient[0] = (f_1 - f_3 + Scalar(2.0) * f_4 + f_5) / omega1 - q_0 - q_1 - q_2 - q_3 - Scalar(2.0) * q_4;
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 - f_2 - f_4 + f_6) / omega2 - q_0 - Scalar(3.0) * q_1 - Scalar(2.0) * q_2
+      + Scalar(2.0) * q_3 - q_4;
+  // multiplies a2*a3
+  const Scalar c_0 = (Scalar(4.0) * omega1_2 - Scalar(4.0) * omega1 * omega2
+      - Scalar(18.0) * omega2_2) * per_0 * per_2 * per_1 * per_3 * per_4 / omega2;
+  // multiplies a3*a4
+  const Scalar c_1 = (Scalar(2.0) * omega1_2 + Scalar(4.0) * omega1 * omega2
+      + Scalar(12.0) * omega2_2) * per_0 * per_2 * per_1 / (Scalar(3.0) * omega1 * omega2_2);
+  const Scalar c_2 = Scalar(3.0) * per_0 * per_1;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// harmonic_re_y_A_x2_A_y = (3*omega1^2*b3 + 2*a1*a3)/(12*omega1^3*(omega1 + omega2)) + a3^2/(omega1^2*(omega1 +
+/// omega2)*(omega1 + 2*omega2)) + a2^2/(omega1*omega2*(omega1 + omega2)*(2*omega1 + omega2)) +
+/// a2*a4/(2*omega1*(omega1 + omega2)*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 51 operations.
+template <class Scalar>
+Scalar lump_17(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = b3 * per_0 / (Scalar(4.0) * omega1);
+  const Scalar f_1 = a1 * a3 * per_0 / (Scalar(6.0) * omega1_3);
+  const Scalar f_2 = a3_2 * per_0 * per_1 / omega1_2;
+  const Scalar f_3 = a2_2 * per_0 * per_2 / (omega1 * omega2);
+  const Scalar f_4 = a2 * a4 * per_0 * per_2 * per_3 / (Scalar(2.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_0;
+  const Scalar q_1 = f_2 * per_1;
+  const Scalar q_2 = (f_3 + f_4) * per_2;
+  const Scalar q_3 = f_4 * per_3;
+  // by omega1
+  gradient[0] = (-f_0 - Scalar(3.0) * f_1 - Scalar(2.0) * f_2 - f_3 - f_4) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  gradient[1] = -f_3 / omega2 - q_0 - Scalar(2.0) * q_1 - q_2 + q_3;  // by omega2
+  const Scalar c_0 = per_0 / (Scalar(6.0) * omega1_3);  // multiplies a1*a3
+  const Scalar c_1 = per_0 * per_2 / (omega1 * omega2);  // multiplies a2^2
+  const Scalar c_2 = per_0 * per_2 * per_3 / (Scalar(2.0) * omega1);  // multiplies a2*a4
+  const Scalar c_3 = per_0 * per_1 / omega1_2;  // multiplies a3^2
+  const Scalar c_4 = per_0 / (Scalar(4.0) * omega1);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(3*omega1^2*(3*omega1 + omega2)*(3*omega1 - omega2)) +
+/// 2*a2*a3/((2*omega1 + omega2)*(2*omega1 - omega2)*(3*omega1 + omega2)*(3*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 36 operations.
+template <class Scalar>
+Scalar lump_18(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(3.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(3.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = b2 * per_0 * per_1;
+  const Scalar f_1 = Scalar(2.0) * a1 * a2 * per_0 * per_1 / (Scalar(3.0) * omega1_2);
+  const Scalar f_2 = Scalar(2.0) * a2 * a3 * per_2 * per_3 * per_0 * per_1;
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  const Scalar q_2 = f_2 * per_2;
+  const Scalar q_3 = f_2 * per_3;
+  // by omega1
+  gradient[0] = -Scalar(2.0) * f_1 / omega1 - Scalar(3.0) * q_0 - Scalar(3.0) * q_1 - Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  gradient[1] = -q_0 + q_1 - q_2 + q_3;  // by omega2
+  const Scalar c_0 = Scalar(2.0) * per_0 * per_1 / (Scalar(3.0) * omega1_2);  // multiplies a1*a2
+  const Scalar c_1 = Scalar(2.0) * per_2 * per_3 * per_0 * per_1;  // multiplies a2*a3
+  const Scalar c_2 = per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// conservative_x_A_x_A_y_conjA_y = (2*omega1^2*omega2^2*b3 - 4*omega1^2*a2*a4 - 4*omega2^2*a1*a3 +
+/// omega2^2*a2^2)/(2*omega1^3*omega2^2) + 2*a2^2/(omega1*omega2*(2*omega1 + omega2)) + 4*a3^2/(omega1*(omega1 +
+/// 2*omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 42 operations.
+template <class Scalar>
+Scalar lump_19(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = b3 / omega1;
+  const Scalar f_1 = -Scalar(2.0) * a2 * a4 / (omega1 * omega2_2);
+  const Scalar f_2 = (-Scalar(4.0) * a1 * a3 + a2_2) / (Scalar(2.0) * omega1_3);
+  const Scalar f_3 = Scalar(2.0) * a2_2 * per_0 / (omega1 * omega2);
+  const Scalar f_4 = Scalar(4.0) * a3_2 * per_1 * per_2 / omega1;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_3 * per_0;
+  const Scalar q_1 = f_4 * per_1;
+  const Scalar q_2 = f_4 * per_2;
+  gradient[0] = (-f_0 - f_1 - Scalar(3.0) * f_2 - f_3 - f_4) / omega1 - Scalar(2.0) * q_0 - q_1 - q_2;  // by omega1
+  gradient[1] = (-Scalar(2.0) * f_1 - f_3) / omega2 - q_0 - Scalar(2.0) * q_1 + Scalar(2.0) * q_2;  // by omega2
+  const Scalar c_0 = -Scalar(2.0) / omega1_3;  // multiplies a1*a3
+  // multiplies a2^2
+  const Scalar c_1 = Scalar(1.0) / (Scalar(2.0) * omega1_3) + Scalar(2.0) * per_0 / (omega1 * omega2);
+  const Scalar c_2 = -Scalar(2.0) / (omega1 * omega2_2);  // multiplies a2*a4
+  const Scalar c_3 = Scalar(4.0) * per_1 * per_2 / omega1;  // multiplies a3^2
+  const Scalar c_4 = Scalar(1.0) / omega1;  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// conservative_x_conjA_x_F = a2*e2/(8*omega1^2*omega2) + a1*e1/(2*omega1*(omega1 + omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 20 operations.
+template <class Scalar>
+Scalar lump_20(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar e1 = parameters[12];
+  const Scalar e2 = parameters[14];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = a2 * e2 / (Scalar(8.0) * omega1_2 * omega2);
+  const Scalar f_1 = a1 * e1 * per_0 * per_1 / (Scalar(2.0) * omega1);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_1 * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-Scalar(2.0) * f_0 - f_1) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -f_0 / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = per_0 * per_1 / (Scalar(2.0) * omega1);  // multiplies a1*e1
+  const Scalar c_1 = Scalar(1.0) / (Scalar(8.0) * omega1_2 * omega2);  // multiplies a2*e2
+  gradient[2] = e1 * c_0;  // by a1
+  gradient[3] = e2 * c_1;  // by a2
+  gradient[12] = a1 * c_0;  // by e1
+  gradient[14] = a2 * c_1;  // by e2
+  return value;
+}
+
+/// conservative_y_A_x_A_y_conjA_x = (omega1^2*omega2^2*b3 - 2*omega1^2*a2*a4 -
+/// 2*omega2^2*a1*a3)/(omega1^2*omega2^3) + (2*omega1*a2^2 - omega2*a2^2)/(2*omega1*omega2^2*(2*omega1 + omega2))
+/// + 4*a3^2/(omega2*(omega1 + 2*omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 42 operations.
+template <class Scalar>
+Scalar lump_21(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = b3 / omega2;
+  const Scalar f_1 = -Scalar(2.0) * a2 * a4 / omega2_3;
+  const Scalar f_2 = -Scalar(2.0) * a1 * a3 / (omega1_2 * omega2);
+  const Scalar f_3 = a2_2 * per_0 / omega2_2;
+  const Scalar f_4 = -a2_2 * per_0 / (Scalar(2.0) * omega1 * omega2);
+  const Scalar f_5 = Scalar(4.0) * a3_2 * per_1 * per_2 / omega2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4 + f_5;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_3 + f_4) * per_0;
+  const Scalar q_1 = f_5 * per_1;
+  const Scalar q_2 = f_5 * per_2;
+  gradient[0] = (-Scalar(2.0) * f_2 - f_4) / omega1 - Scalar(2.0) * q_0 - q_1 - q_2;  // by omega1
+  // by omega2
+  gradient[1] = (-f_0 - Scalar(3.0) * f_1 - f_2 - Scalar(2.0) * f_3 - f_4 - f_5) / omega2 - q_0 - Scalar(2.0) * q_1
+      + Scalar(2.0) * q_2;
+  const Scalar c_0 = -Scalar(2.0) / (omega1_2 * omega2);  // multiplies a1*a3
+  // multiplies a2^2
+  const Scalar c_1 = (Scalar(2.0) * omega1 - omega2) * per_0 / (Scalar(2.0) * omega1 * omega2_2);
+  const Scalar c_2 = -Scalar(2.0) / omega2_3;  // multiplies a2*a4
+  const Scalar c_3 = Scalar(4.0) * per_1 * per_2 / omega2;  // multiplies a3^2
+  const Scalar c_4 = Scalar(1.0) / omega2;  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_y_conjA_x2 = (9*omega1^2*b2 + 2*a1*a2)/(3*omega1^2*(omega1 - omega2)*(3*omega1 - omega2)) +
+/// 4*a2*a3/(omega1*(omega1 - omega2)*(omega1 - 2*omega2)*(3*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 33 operations.
+template <class Scalar>
+Scalar lump_22(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(3.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = Scalar(3.0) * b2 * per_0 * per_1;
+  const Scalar f_1 = Scalar(2.0) * a1 * a2 * per_0 * per_1 / (Scalar(3.0) * omega1_2);
+  const Scalar f_2 = Scalar(4.0) * a2 * a3 * per_0 * per_2 * per_1 / omega1;
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  const Scalar q_2 = f_2 * per_2;
+  gradient[0] = (-Scalar(2.0) * f_1 - f_2) / omega1 - q_0 - Scalar(3.0) * q_1 - q_2;  // by omega1
+  gradient[1] = q_0 + q_1 + Scalar(2.0) * q_2;  // by omega2
+  const Scalar c_0 = Scalar(2.0) * per_0 * per_1 / (Scalar(3.0) * omega1_2);  // multiplies a1*a2
+  const Scalar c_1 = Scalar(4.0) * per_0 * per_2 * per_1 / omega1;  // multiplies a2*a3
+  const Scalar c_2 = Scalar(3.0) * per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// harmonic_re_x_conjA_y_F = -a2*e1/(omega1^2*(omega1 + omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 11 operations.
+template <class Scalar>
+Scalar lump_23(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar e1 = parameters[12];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -a2 * e1 * per_0 * per_1 / omega1_2;
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_0 * per_0;
+  const Scalar q_1 = f_0 * per_1;
+  gradient[0] = -Scalar(2.0) * f_0 / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -q_0 + q_1;  // by omega2
+  const Scalar c_0 = -per_0 * per_1 / omega1_2;  // multiplies a2*e1
+  gradient[3] = e1 * c_0;  // by a2
+  gradient[12] = a2 * c_0;  // by e1
+  return value;
+}
+
+/// harmonic_im_x_F = -omega2*mu1*e1/((omega1 + omega2)^2*(omega1 - omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 10 operations.
+template <class Scalar>
+Scalar lump_24(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar mu1 = parameters[11];
+  const Scalar e1 = parameters[12];
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar f_0 = -omega2 * mu1 * e1 * per_0_2 * per_1_2;
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = Scalar(2.0) * f_0 * per_0;
+  const Scalar q_1 = Scalar(2.0) * f_0 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = f_0 / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = -omega2 * per_0_2 * per_1_2;  // multiplies mu1*e1
+  gradient[11] = e1 * c_0;  // by mu1
+  gradient[12] = mu1 * c_0;  // by e1
+  return value;
+}
+
+/// harmonic_re_x_A_y2_conjA_y = (-9*omega2^2*b4 + 10*a3*a4)/(3*omega2^2*(omega1 + omega2)*(omega1 - omega2)) +
+/// (6*omega1^2*a2*a3 - 16*omega2^2*a2*a3)/(omega1^2*(omega1 + omega2)*(omega1 + 2*omega2)*(omega1 -
+/// omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 47 operations.
+template <class Scalar>
+Scalar lump_25(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = -Scalar(3.0) * b4 * per_0 * per_1;
+  const Scalar f_1 = Scalar(10.0) * a3 * a4 * per_0 * per_1 / (Scalar(3.0) * omega2_2);
+  const Scalar f_2 = Scalar(6.0) * a2 * a3 * per_0 * per_2 * per_1 * per_3;
+  const Scalar f_3 = -Scalar(16.0) * omega2_2 * a2 * a3 * per_0 * per_2 * per_1 * per_3 / omega1_2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3) * per_1;
+  const Scalar q_2 = (f_2 + f_3) * per_2;
+  const Scalar q_3 = (f_2 + f_3) * per_3;
+  gradient[0] = -Scalar(2.0) * f_3 / omega1 - q_0 - q_1 - q_2 - q_3;  // by omega1
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 + Scalar(2.0) * f_3) / omega2 - q_0 + q_1 - Scalar(2.0) * q_2
+      + Scalar(2.0) * q_3;
+  // multiplies a2*a3
+  const Scalar c_0 = (Scalar(6.0) * omega1_2 - Scalar(16.0) * omega2_2) * per_0 * per_2 * per_1 * per_3 / omega1_2;
+  const Scalar c_1 = Scalar(10.0) * per_0 * per_1 / (Scalar(3.0) * omega2_2);  // multiplies a3*a4
+  const Scalar c_2 = -Scalar(3.0) * per_0 * per_1;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// harmonic_re_x_A_x_A_y_conjA_x = -6*b2/((omega1 + omega2)*(omega1 - omega2)) + (-4*omega1^2*a1*a2 +
+/// 8*omega1*omega2*a1*a2 + 4*omega2^2*a1*a2)/(omega1^2*omega2*(omega1 + omega2)*(omega1 - omega2)*(2*omega1 +
+/// omega2)) + (4*omega1^2*a2*a3 - 24*omega2^2*a2*a3)/(omega2^2*(omega1 + omega2)*(omega1 + 2*omega2)*(omega1 -
+/// omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 70 operations.
+template <class Scalar>
+Scalar lump_26(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_4 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = -Scalar(6.0) * b2 * per_0 * per_1;
+  const Scalar f_1 = -Scalar(4.0) * a1 * a2 * per_0 * per_1 * per_2 / omega2;
+  const Scalar f_2 = Scalar(8.0) * a1 * a2 * per_0 * per_1 * per_2 / omega1;
+  const Scalar f_3 = Scalar(4.0) * omega2 * a1 * a2 * per_0 * per_1 * per_2 / omega1_2;
+  const Scalar f_4 = Scalar(4.0) * omega1_2 * a2 * a3 * per_0 * per_3 * per_1 * per_4 / omega2_2;
+  const Scalar f_5 = -Scalar(24.0) * a2 * a3 * per_0 * per_3 * per_1 * per_4;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4 + f_5;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5) * per_1;
+  const Scalar q_2 = (f_1 + f_2 + f_3) * per_2;
+  const Scalar q_3 = (f_4 + f_5) * per_3;
+  const Scalar q_4 = (f_4 + f_5) * per_4;
+  // by omega1
+  gradient[0] = (-f_2 - Scalar(2.0) * f_3 + Scalar(2.0) * f_4) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2 - q_3 - q_4;
+  // by omega2
+  gradient[1] = (-f_1 + f_3 - Scalar(2.0) * f_4) / omega2 - q_0 + q_1 - q_2 - Scalar(2.0) * q_3 + Scalar(2.0) * q_4;
+  // multiplies a1*a2
+  const Scalar c_0 = (-Scalar(4.0) * omega1_2 + Scalar(8.0) * omega1 * omega2
+      + Scalar(4.0) * omega2_2) * per_0 * per_1 * per_2 / (omega1_2 * omega2);
+  // multiplies a2*a3
+  const Scalar c_1 = (Scalar(4.0) * omega1_2 - Scalar(24.0) * omega2_2) * per_0 * per_3 * per_1 * per_4 / omega2_2;
+  const Scalar c_2 = -Scalar(6.0) * per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// harmonic_re_x_A_x2_A_y = -4*a2*a3/((omega1 + 2*omega2)^2*(omega1 - 2*omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 12 operations.
+template <class Scalar>
+Scalar lump_27(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar f_0 = -Scalar(4.0) * a2 * a3 * per_0_2 * per_1_2;
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = Scalar(2.0) * f_0 * per_0;
+  const Scalar q_1 = Scalar(2.0) * f_0 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = -Scalar(2.0) * q_0 + Scalar(2.0) * q_1;  // by omega2
+  const Scalar c_0 = -Scalar(4.0) * per_0_2 * per_1_2;  // multiplies a2*a3
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0;  // by a3
+  return value;
+}
+
+/// harmonic_im_x_A_y2 = (4*omega2*a3*mu1 - 8*omega2*a3*mu2)/((omega1 + 2*omega2)^2*(omega1 - 2*omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 21 operations.
+template <class Scalar>
+Scalar lump_28(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar mu1 = parameters[11];
+  const Scalar mu2 = parameters[13];
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar f_0 = (Scalar(4.0) * omega2 * a3 * mu1 - Scalar(8.0) * omega2 * a3 * mu2) * per_0_2 * per_1_2;
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = Scalar(2.0) * f_0 * per_0;
+  const Scalar q_1 = Scalar(2.0) * f_0 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = f_0 / omega2 - Scalar(2.0) * q_0 + Scalar(2.0) * q_1;  // by omega2
+  const Scalar c_0 = Scalar(4.0) * omega2 * per_0_2 * per_1_2;  // multiplies a3*mu1
+  const Scalar c_1 = -Scalar(8.0) * omega2 * per_0_2 * per_1_2;  // multiplies a3*mu2
+  gradient[4] = mu1 * c_0 + mu2 * c_1;  // by a3
+  gradient[11] = a3 * c_0;  // by mu1
+  gradient[13] = a3 * c_1;  // by mu2
+  return value;
+}
+
+/// harmonic_re_x_A_y_F = 2*a3*e2/((omega1 + 2*omega2)^2*(omega1 - 2*omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 12 operations.
+template <class Scalar>
+Scalar lump_29(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar e2 = parameters[14];
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1_2 = per_1 * per_1;
+  const Scalar f_0 = Scalar(2.0) * a3 * e2 * per_0_2 * per_1_2;
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = Scalar(2.0) * f_0 * per_0;
+  const Scalar q_1 = Scalar(2.0) * f_0 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = -Scalar(2.0) * q_0 + Scalar(2.0) * q_1;  // by omega2
+  const Scalar c_0 = Scalar(2.0) * per_0_2 * per_1_2;  // multiplies a3*e2
+  gradient[4] = e2 * c_0;  // by a3
+  gradient[14] = a3 * c_0;  // by e2
+  return value;
+}
+
+/// harmonic_re_x_A_y2_conjA_x = (-3*omega2^2*b3 - 2*a2*a4)/(12*omega2^3*(omega1 - omega2)) -
+/// a3^2/(omega1*omega2*(omega1 - omega2)*(omega1 - 2*omega2)) + a1*a3/(2*omega2*(omega1 + 2*omega2)*(omega1 -
+/// omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 41 operations.
+template <class Scalar>
+Scalar lump_30(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar f_0 = -b3 * per_0 / (Scalar(4.0) * omega2);
+  const Scalar f_1 = -a2 * a4 * per_0 / (Scalar(6.0) * omega2_3);
+  const Scalar f_2 = -a3_2 * per_0 * per_1 / (omega1 * omega2);
+  const Scalar f_3 = a1 * a3 * per_2 * per_0 * per_1 / (Scalar(2.0) * omega2);
+  const Scalar value = f_0 + f_1 + f_2 + f_3;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3) * per_0;
+  const Scalar q_1 = (f_2 + f_3) * per_1;
+  const Scalar q_2 = f_3 * per_2;
+  gradient[0] = -f_2 / omega1 - q_0 - q_1 - q_2;  // by omega1
+  // by omega2
+  gradient[1] = (-f_0 - Scalar(3.0) * f_1 - f_2 - f_3) / omega2 + q_0 + Scalar(2.0) * q_1 - Scalar(2.0) * q_2;
+  const Scalar c_0 = per_2 * per_0 * per_1 / (Scalar(2.0) * omega2);  // multiplies a1*a3
+  const Scalar c_1 = -per_0 / (Scalar(6.0) * omega2_3);  // multiplies a2*a4
+  const Scalar c_2 = -per_0 * per_1 / (omega1 * omega2);  // multiplies a3^2
+  const Scalar c_3 = -per_0 / (Scalar(4.0) * omega2);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = a4 * c_1;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_2;  // by a3
+  gradient[5] = a2 * c_1;  // by a4
+  gradient[8] = c_3;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_x_F = a1*e1/(omega2*(omega1 + omega2)*(omega1 - omega2)*(2*omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 16 operations.
+template <class Scalar>
+Scalar lump_31(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar e1 = parameters[12];
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar f_0 = a1 * e1 * per_0 * per_1 * per_2 / omega2;
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_0 * per_0;
+  const Scalar q_1 = f_0 * per_1;
+  const Scalar q_2 = f_0 * per_2;
+  gradient[0] = -q_0 - q_1 - Scalar(2.0) * q_2;  // by omega1
+  gradient[1] = -f_0 / omega2 - q_0 + q_1 - q_2;  // by omega2
+  const Scalar c_0 = per_0 * per_1 * per_2 / omega2;  // multiplies a1*e1
+  gradient[2] = e1 * c_0;  // by a1
+  gradient[12] = a1 * c_0;  // by e1
+  return value;
+}
+
+/// harmonic_re_x_A_x3 = (-2*omega1*a2^2 - 2*omega2*a2^2)/(omega2^3*(2*omega1 + omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 16 operations.
+template <class Scalar>
+Scalar lump_32(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = -Scalar(2.0) * omega1 * a2_2 * per_0_2 / omega2_3;
+  const Scalar f_1 = -Scalar(2.0) * a2_2 * per_0_2 / omega2_2;
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1) * per_0;
+  gradient[0] = f_0 / omega1 - Scalar(2.0) * q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = (-Scalar(2.0) * omega1 - Scalar(2.0) * omega2) * per_0_2 / omega2_3;  // multiplies a2^2
+  gradient[3] = Scalar(2.0) * a2 * c_0;  // by a2
+  return value;
+}
+
+/// harmonic_im_y_A_y_conjA_x = (4*omega1*a3*mu1 - 4*omega2*a3*mu1)/(omega1^2*(omega1 - 2*omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 17 operations.
+template <class Scalar>
+Scalar lump_33(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar mu1 = parameters[11];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = Scalar(4.0) * a3 * mu1 * per_0_2 / omega1;
+  const Scalar f_1 = -Scalar(4.0) * omega2 * a3 * mu1 * per_0_2 / omega1_2;
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1) * per_0;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1) / omega1 - q_0;  // by omega1
+  gradient[1] = f_1 / omega2 + Scalar(2.0) * q_0;  // by omega2
+  const Scalar c_0 = (Scalar(4.0) * omega1 - Scalar(4.0) * omega2) * per_0_2 / omega1_2;  // multiplies a3*mu1
+  gradient[4] = mu1 * c_0;  // by a3
+  gradient[11] = a3 * c_0;  // by mu1
+  return value;
+}
+
+/// harmonic_re_y_A_x_A_y_conjA_y = 6*b4/((omega1 + omega2)*(omega1 - omega2)) + (4*omega1^2*a2*a3 -
+/// 8*omega1*omega2*a2*a3 - 4*omega2^2*a2*a3)/(omega1^2*omega2*(omega1 + omega2)*(omega1 - omega2)*(2*omega1 +
+/// omega2)) + (-4*omega1^2*a3*a4 + 24*omega2^2*a3*a4)/(omega2^2*(omega1 + omega2)*(omega1 + 2*omega2)*(omega1 -
+/// omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 70 operations.
+template <class Scalar>
+Scalar lump_34(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_4 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = Scalar(6.0) * b4 * per_0 * per_1;
+  const Scalar f_1 = Scalar(4.0) * a2 * a3 * per_0 * per_1 * per_2 / omega2;
+  const Scalar f_2 = -Scalar(8.0) * a2 * a3 * per_0 * per_1 * per_2 / omega1;
+  const Scalar f_3 = -Scalar(4.0) * omega2 * a2 * a3 * per_0 * per_1 * per_2 / omega1_2;
+  const Scalar f_4 = -Scalar(4.0) * omega1_2 * a3 * a4 * per_0 * per_3 * per_1 * per_4 / omega2_2;
+  const Scalar f_5 = Scalar(24.0) * a3 * a4 * per_0 * per_3 * per_1 * per_4;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4 + f_5;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5) * per_1;
+  const Scalar q_2 = (f_1 + f_2 + f_3) * per_2;
+  const Scalar q_3 = (f_4 + f_5) * per_3;
+  const Scalar q_4 = (f_4 + f_5) * per_4;
+  // by omega1
+  gradient[0] = (-f_2 - Scalar(2.0) * f_3 + Scalar(2.0) * f_4) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2 - q_3 - q_4;
+  // by omega2
+  gradient[1] = (-f_1 + f_3 - Scalar(2.0) * f_4) / omega2 - q_0 + q_1 - q_2 - Scalar(2.0) * q_3 + Scalar(2.0) * q_4;
+  // multiplies a2*a3
+  const Scalar c_0 = (Scalar(4.0) * omega1_2 - Scalar(8.0) * omega1 * omega2
+      - Scalar(4.0) * omega2_2) * per_0 * per_1 * per_2 / (omega1_2 * omega2);
+  // multiplies a3*a4
+  const Scalar c_1 = (-Scalar(4.0) * omega1_2 + Scalar(24.0) * omega2_2) * per_0 * per_3 * per_1 * per_4 / omega2_2;
+  const Scalar c_2 = Scalar(6.0) * per_0 * per_1;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// harmonic_re_y_A_x2_conjA_x = (9*omega1^2*omega2^2*b2 - 12*omega1^2*a2*a3 -
+/// 10*omega2^2*a1*a2)/(3*omega1^2*omega2^2*(omega1 + omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 27 operations.
+template <class Scalar>
+Scalar lump_35(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b2 * per_0 * per_1;
+  const Scalar f_1 = -Scalar(4.0) * a2 * a3 * per_0 * per_1 / omega2_2;
+  const Scalar f_2 = -Scalar(10.0) * a1 * a2 * per_0 * per_1 / (Scalar(3.0) * omega1_2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  gradient[0] = -Scalar(2.0) * f_2 / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -Scalar(2.0) * f_1 / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = -Scalar(10.0) * per_0 * per_1 / (Scalar(3.0) * omega1_2);  // multiplies a1*a2
+  const Scalar c_1 = -Scalar(4.0) * per_0 * per_1 / omega2_2;  // multiplies a2*a3
+  const Scalar c_2 = Scalar(3.0) * per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// harmonic_re_y_A_y_conjA_x2 = (3*omega1^2*b3 + 2*a1*a3)/(12*omega1^3*(omega1 - omega2)) +
+/// a3^2/(omega1^2*(omega1 - omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 25 operations.
+template <class Scalar>
+Scalar lump_36(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a3 = parameters[4];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = b3 * per_0 / (Scalar(4.0) * omega1);
+  const Scalar f_1 = a1 * a3 * per_0 / (Scalar(6.0) * omega1_3);
+  const Scalar f_2 = a3_2 * per_0 * per_1 / omega1_2;
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2) * per_0;
+  const Scalar q_1 = f_2 * per_1;
+  gradient[0] = (-f_0 - Scalar(3.0) * f_1 - Scalar(2.0) * f_2) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = q_0 + Scalar(2.0) * q_1;  // by omega2
+  const Scalar c_0 = per_0 / (Scalar(6.0) * omega1_3);  // multiplies a1*a3
+  const Scalar c_1 = per_0 * per_1 / omega1_2;  // multiplies a3^2
+  const Scalar c_2 = per_0 / (Scalar(4.0) * omega1);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_1;  // by a3
+  gradient[8] = c_2;  // by b3
+  return value;
+}
+
+/// harmonic_re_y_conjA_y_F = -a3*e1/(omega2^2*(omega1 + omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 11 operations.
+template <class Scalar>
+Scalar lump_37(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a3 = parameters[4];
+  const Scalar e1 = parameters[12];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -a3 * e1 * per_0 * per_1 / omega2_2;
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_0 * per_0;
+  const Scalar q_1 = f_0 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = -Scalar(2.0) * f_0 / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = -per_0 * per_1 / omega2_2;  // multiplies a3*e1
+  gradient[4] = e1 * c_0;  // by a3
+  gradient[12] = a3 * c_0;  // by e1
+  return value;
+}
+
+/// harmonic_re_y_A_y2_conjA_x = 3*b4/((omega1 - omega2)*(omega1 - 3*omega2)) + (2*omega1^2*a3*a4 -
+/// 4*omega1*omega2*a3*a4 + 12*omega2^2*a3*a4)/(3*omega1*omega2^2*(omega1 - omega2)*(omega1 - 2*omega2)*(omega1 -
+/// 3*omega2)) - 2*a2*a3/((omega1 + 2*omega2)*(omega1 - omega2)*(omega1 - 2*omega2)*(omega1 - 3*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 59 operations.
+template <class Scalar>
+Scalar lump_38(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(3.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar f_0 = Scalar(3.0) * b4 * per_0 * per_1;
+  const Scalar f_1 = Scalar(2.0) * omega1 * a3 * a4 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega2_2);
+  const Scalar f_2 = -Scalar(4.0) * a3 * a4 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega2);
+  const Scalar f_3 = Scalar(4.0) * a3 * a4 * per_0 * per_2 * per_1 / omega1;
+  const Scalar f_4 = -Scalar(2.0) * a2 * a3 * per_3 * per_0 * per_2 * per_1;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_1;
+  const Scalar q_2 = (f_1 + f_2 + f_3 + f_4) * per_2;
+  const Scalar q_3 = f_4 * per_3;
+  gradient[0] = (f_1 - f_3) / omega1 - q_0 - q_1 - q_2 - q_3;  // by omega1
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 - f_2) / omega2 + q_0 + Scalar(3.0) * q_1 + Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  const Scalar c_0 = -Scalar(2.0) * per_3 * per_0 * per_2 * per_1;  // multiplies a2*a3
+  // multiplies a3*a4
+  const Scalar c_1 = (Scalar(2.0) * omega1_2 - Scalar(4.0) * omega1 * omega2
+      + Scalar(12.0) * omega2_2) * per_0 * per_2 * per_1 / (Scalar(3.0) * omega1 * omega2_2);
+  const Scalar c_2 = Scalar(3.0) * per_0 * per_1;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(3*omega1^2*(3*omega1 + omega2)*(3*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 20 operations.
+template <class Scalar>
+Scalar lump_39(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(3.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(3.0) * omega1 - omega2);
+  const Scalar f_0 = b2 * per_0 * per_1;
+  const Scalar f_1 = Scalar(2.0) * a1 * a2 * per_0 * per_1 / (Scalar(3.0) * omega1_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  const Scalar q_1 = (f_0 + f_1) * per_1;
+  gradient[0] = -Scalar(2.0) * f_1 / omega1 - Scalar(3.0) * q_0 - Scalar(3.0) * q_1;  // by omega1
+  gradient[1] = -q_0 + q_1;  // by omega2
+  const Scalar c_0 = Scalar(2.0) * per_0 * per_1 / (Scalar(3.0) * omega1_2);  // multiplies a1*a2
+  const Scalar c_1 = per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0;  // by a2
+  gradient[7] = c_1;  // by b2
+  return value;
+}
+
+/// conservative_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(6*omega1^2*omega2) + a2*a3/(omega2*(2*omega1 +
+/// omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 24 operations.
+template <class Scalar>
+Scalar lump_40(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = b2 / (Scalar(2.0) * omega2);
+  const Scalar f_1 = a1 * a2 / (Scalar(3.0) * omega1_2 * omega2);
+  const Scalar f_2 = a2 * a3 * per_0 * per_1 / omega2;
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  const Scalar q_1 = f_2 * per_1;
+  gradient[0] = -Scalar(2.0) * f_1 / omega1 - Scalar(2.0) * q_0 - Scalar(2.0) * q_1;  // by omega1
+  gradient[1] = (-f_0 - f_1 - f_2) / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = Scalar(1.0) / (Scalar(3.0) * omega1_2 * omega2);  // multiplies a1*a2
+  const Scalar c_1 = per_0 * per_1 / omega2;  // multiplies a2*a3
+  const Scalar c_2 = Scalar(1.0) / (Scalar(2.0) * omega2);  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// harmonic_re_x_A_y2_conjA_x = (-3*omega2^2*b3 - 2*a2*a4)/(12*omega2^3*(omega1 - omega2)) -
+/// a3^2/(omega1*omega2*(omega1 - omega2)*(omega1 - 2*omega2)) + a2^2/(omega2^2*(omega1 - omega2)*(2*omega1 -
+/// omega2)) + a1*a3/(2*omega2*(omega1 + 2*omega2)*(omega1 - omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 51 operations.
+template <class Scalar>
+Scalar lump_41(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar f_0 = -b3 * per_0 / (Scalar(4.0) * omega2);
+  const Scalar f_1 = -a2 * a4 * per_0 / (Scalar(6.0) * omega2_3);
+  const Scalar f_2 = -a3_2 * per_0 * per_1 / (omega1 * omega2);
+  const Scalar f_3 = a2_2 * per_0 * per_2 / omega2_2;
+  const Scalar f_4 = a1 * a3 * per_3 * per_0 * per_1 / (Scalar(2.0) * omega2);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_0;
+  const Scalar q_1 = (f_2 + f_4) * per_1;
+  const Scalar q_2 = f_3 * per_2;
+  const Scalar q_3 = f_4 * per_3;
+  gradient[0] = -f_2 / omega1 - q_0 - q_1 - Scalar(2.0) * q_2 - q_3;  // by omega1
+  // by omega2
+  gradient[1] = (-f_0 - Scalar(3.0) * f_1 - f_2 - Scalar(2.0) * f_3 - f_4) / omega2 + q_0 + Scalar(2.0) * q_1 + q_2
+      - Scalar(2.0) * q_3;
+  const Scalar c_0 = per_3 * per_0 * per_1 / (Scalar(2.0) * omega2);  // multiplies a1*a3
+  const Scalar c_1 = per_0 * per_2 / omega2_2;  // multiplies a2^2
+  const Scalar c_2 = -per_0 / (Scalar(6.0) * omega2_3);  // multiplies a2*a4
+  const Scalar c_3 = -per_0 * per_1 / (omega1 * omega2);  // multiplies a3^2
+  const Scalar c_4 = -per_0 / (Scalar(4.0) * omega2);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_x_A_y_conjA_x = -6*b2/((omega1 + omega2)*(omega1 - omega2)) + (4*omega1^2*a2*a3 -
+/// 24*omega2^2*a2*a3)/(omega2^2*(omega1 + omega2)*(omega1 + 2*omega2)*(omega1 - omega2)*(omega1 - 2*omega2)) +
+/// (24*omega1^2*a1*a2 - 4*omega2^2*a1*a2)/(omega1^2*(omega1 + omega2)*(omega1 - omega2)*(2*omega1 +
+/// omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 65 operations.
+template <class Scalar>
+Scalar lump_42(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_4 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_5 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = -Scalar(6.0) * b2 * per_0 * per_1;
+  const Scalar f_1 = Scalar(4.0) * omega1_2 * a2 * a3 * per_0 * per_2 * per_1 * per_3 / omega2_2;
+  const Scalar f_2 = -Scalar(24.0) * a2 * a3 * per_0 * per_2 * per_1 * per_3;
+  const Scalar f_3 = Scalar(24.0) * a1 * a2 * per_0 * per_1 * per_4 * per_5;
+  const Scalar f_4 = -Scalar(4.0) * omega2_2 * a1 * a2 * per_0 * per_1 * per_4 * per_5 / omega1_2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_1;
+  const Scalar q_2 = (f_1 + f_2) * per_2;
+  const Scalar q_3 = (f_1 + f_2) * per_3;
+  const Scalar q_4 = (f_3 + f_4) * per_4;
+  const Scalar q_5 = (f_3 + f_4) * per_5;
+  // by omega1
+  gradient[0] = (Scalar(2.0) * f_1 - Scalar(2.0) * f_4) / omega1 - q_0 - q_1 - q_2 - q_3 - Scalar(2.0) * q_4
+      - Scalar(2.0) * q_5;
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 + Scalar(2.0) * f_4) / omega2 - q_0 + q_1 - Scalar(2.0) * q_2
+      + Scalar(2.0) * q_3 - q_4 + q_5;
+  // multiplies a1*a2
+  const Scalar c_0 = (Scalar(24.0) * omega1_2 - Scalar(4.0) * omega2_2) * per_0 * per_1 * per_4 * per_5 / omega1_2;
+  // multiplies a2*a3
+  const Scalar c_1 = (Scalar(4.0) * omega1_2 - Scalar(24.0) * omega2_2) * per_0 * per_2 * per_1 * per_3 / omega2_2;
+  const Scalar c_2 = -Scalar(6.0) * per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// harmonic_re_y_A_y_conjA_x2 = (3*omega1^2*b3 + 2*a1*a3)/(12*omega1^3*(omega1 - omega2)) +
+/// a3^2/(omega1^2*(omega1 - omega2)*(omega1 - 2*omega2)) - a2^2/(omega1*omega2*(omega1 - omega2)*(2*omega1 -
+/// omega2)) + a2*a4/(2*omega1*(omega1 - omega2)*(2*omega1 + omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 51 operations.
+template <class Scalar>
+Scalar lump_43(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b3 = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar a2_2 = a2 * a2;
+  const Scalar a3_2 = a3 * a3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_3 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar f_0 = b3 * per_0 / (Scalar(4.0) * omega1);
+  const Scalar f_1 = a1 * a3 * per_0 / (Scalar(6.0) * omega1_3);
+  const Scalar f_2 = a3_2 * per_0 * per_1 / omega1_2;
+  const Scalar f_3 = -a2_2 * per_0 * per_2 / (omega1 * omega2);
+  const Scalar f_4 = a2 * a4 * per_0 * per_3 * per_2 / (Scalar(2.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_0;
+  const Scalar q_1 = f_2 * per_1;
+  const Scalar q_2 = (f_3 + f_4) * per_2;
+  const Scalar q_3 = f_4 * per_3;
+  // by omega1
+  gradient[0] = (-f_0 - Scalar(3.0) * f_1 - Scalar(2.0) * f_2 - f_3 - f_4) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  gradient[1] = -f_3 / omega2 + q_0 + Scalar(2.0) * q_1 + q_2 - q_3;  // by omega2
+  const Scalar c_0 = per_0 / (Scalar(6.0) * omega1_3);  // multiplies a1*a3
+  const Scalar c_1 = -per_0 * per_2 / (omega1 * omega2);  // multiplies a2^2
+  const Scalar c_2 = per_0 * per_3 * per_2 / (Scalar(2.0) * omega1);  // multiplies a2*a4
+  const Scalar c_3 = per_0 * per_1 / omega1_2;  // multiplies a3^2
+  const Scalar c_4 = per_0 / (Scalar(4.0) * omega1);  // multiplies b3
+  gradient[2] = a3 * c_0;  // by a1
+  gradient[3] = Scalar(2.0) * a2 * c_1 + a4 * c_2;  // by a2
+  gradient[4] = a1 * c_0 + Scalar(2.0) * a3 * c_3;  // by a3
+  gradient[5] = a2 * c_2;  // by a4
+  gradient[8] = c_4;  // by b3
+  return value;
+}
+
+/// harmonic_re_y_A_x_A_y_conjA_y = 6*b4/((omega1 + omega2)*(omega1 - omega2)) + (-4*omega1^2*a3*a4 +
+/// 24*omega2^2*a3*a4)/(omega2^2*(omega1 + omega2)*(omega1 + 2*omega2)*(omega1 - omega2)*(omega1 - 2*omega2)) +
+/// (-24*omega1^2*a2*a3 + 4*omega2^2*a2*a3)/(omega1^2*(omega1 + omega2)*(omega1 - omega2)*(2*omega1 +
+/// omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 65 operations.
+template <class Scalar>
+Scalar lump_44(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_4 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_5 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(6.0) * b4 * per_0 * per_1;
+  const Scalar f_1 = -Scalar(4.0) * omega1_2 * a3 * a4 * per_0 * per_2 * per_1 * per_3 / omega2_2;
+  const Scalar f_2 = Scalar(24.0) * a3 * a4 * per_0 * per_2 * per_1 * per_3;
+  const Scalar f_3 = -Scalar(24.0) * a2 * a3 * per_0 * per_1 * per_4 * per_5;
+  const Scalar f_4 = Scalar(4.0) * omega2_2 * a2 * a3 * per_0 * per_1 * per_4 * per_5 / omega1_2;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4) * per_1;
+  const Scalar q_2 = (f_1 + f_2) * per_2;
+  const Scalar q_3 = (f_1 + f_2) * per_3;
+  const Scalar q_4 = (f_3 + f_4) * per_4;
+  const Scalar q_5 = (f_3 + f_4) * per_5;
+  // by omega1
+  gradient[0] = (Scalar(2.0) * f_1 - Scalar(2.0) * f_4) / omega1 - q_0 - q_1 - q_2 - q_3 - Scalar(2.0) * q_4
+      - Scalar(2.0) * q_5;
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 + Scalar(2.0) * f_4) / omega2 - q_0 + q_1 - Scalar(2.0) * q_2
+      + Scalar(2.0) * q_3 - q_4 + q_5;
+  // multiplies a2*a3
+  const Scalar c_0 = (-Scalar(24.0) * omega1_2 + Scalar(4.0) * omega2_2) * per_0 * per_1 * per_4 * per_5 / omega1_2;
+  // multiplies a3*a4
+  const Scalar c_1 = (-Scalar(4.0) * omega1_2 + Scalar(24.0) * omega2_2) * per_0 * per_2 * per_1 * per_3 / omega2_2;
+  const Scalar c_2 = Scalar(6.0) * per_0 * per_1;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+/// harmonic_re_y_A_x2_conjA_x = (9*omega1^2*b2 - 10*a1*a2)/(3*omega1^2*(omega1 + omega2)*(omega1 - omega2)) +
+/// (-16*omega1^2*a2*a3 + 6*omega2^2*a2*a3)/(omega2^2*(omega1 + omega2)*(omega1 - omega2)*(2*omega1 +
+/// omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 47 operations.
+template <class Scalar>
+Scalar lump_45(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar b2 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_3 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b2 * per_0 * per_1;
+  const Scalar f_1 = -Scalar(10.0) * a1 * a2 * per_0 * per_1 / (Scalar(3.0) * omega1_2);
+  const Scalar f_2 = -Scalar(16.0) * omega1_2 * a2 * a3 * per_0 * per_1 * per_2 * per_3 / omega2_2;
+  const Scalar f_3 = Scalar(6.0) * a2 * a3 * per_0 * per_1 * per_2 * per_3;
+  const Scalar value = f_0 + f_1 + f_2 + f_3;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3) * per_1;
+  const Scalar q_2 = (f_2 + f_3) * per_2;
+  const Scalar q_3 = (f_2 + f_3) * per_3;
+  // by omega1
+  gradient[0] = (-Scalar(2.0) * f_1 + Scalar(2.0) * f_2) / omega1 - q_0 - q_1 - Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3;
+  gradient[1] = -Scalar(2.0) * f_2 / omega2 - q_0 + q_1 - q_2 + q_3;  // by omega2
+  const Scalar c_0 = -Scalar(10.0) * per_0 * per_1 / (Scalar(3.0) * omega1_2);  // multiplies a1*a2
+  // multiplies a2*a3
+  const Scalar c_1 = (-Scalar(16.0) * omega1_2 + Scalar(6.0) * omega2_2) * per_0 * per_1 * per_2 * per_3 / omega2_2;
+  const Scalar c_2 = Scalar(3.0) * per_0 * per_1;  // multiplies b2
+  gradient[2] = a2 * c_0;  // by a1
+  gradient[3] = a1 * c_0 + a3 * c_1;  // by a2
+  gradient[4] = a2 * c_1;  // by a3
+  gradient[7] = c_2;  // by b2
+  return value;
+}
+
+/// harmonic_re_y_A_y2_conjA_x = 3*b4/((omega1 - omega2)*(omega1 - 3*omega2)) + (2*omega1^2*a3*a4 -
+/// 4*omega1*omega2*a3*a4 + 12*omega2^2*a3*a4)/(3*omega1*omega2^2*(omega1 - omega2)*(omega1 - 2*omega2)*(omega1 -
+/// 3*omega2)) + (-4*omega1^2*a2*a3 - 4*omega1*omega2*a2*a3 + 18*omega2^2*a2*a3)/(omega2*(omega1 +
+/// 2*omega2)*(omega1 - omega2)*(omega1 - 2*omega2)*(omega1 - 3*omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 89 operations.
+template <class Scalar>
+Scalar lump_46(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
+  const Scalar b4 = parameters[9];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(3.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_4 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = Scalar(3.0) * b4 * per_0 * per_1;
+  const Scalar f_1 = Scalar(2.0) * omega1 * a3 * a4 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega2_2);
+  const Scalar f_2 = -Scalar(4.0) * a3 * a4 * per_0 * per_2 * per_1 / (Scalar(3.0) * omega2);
+  const Scalar f_3 = Scalar(4.0) * a3 * a4 * per_0 * per_2 * per_1 / omega1;
+  const Scalar f_4 = -Scalar(4.0) * omega1_2 * a2 * a3 * per_3 * per_0 * per_2 * per_1 * per_4 / omega2;
+  const Scalar f_5 = -Scalar(4.0) * omega1 * a2 * a3 * per_3 * per_0 * per_2 * per_1 * per_4;
+  const Scalar f_6 = Scalar(18.0) * omega2 * a2 * a3 * per_3 * per_0 * per_2 * per_1 * per_4;
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_1;
+  const Scalar q_2 = (f_1 + f_2 + f_3 + f_4 + f_5 + f_6) * per_2;
+  const Scalar q_3 = (f_4 + f_5 + f_6) * per_3;
+  const Scalar q_4 = (f_4 + f_5 + f_6) * per_4;
+  // by omega1
+  gradient[0] = (f_1 - f_3 + Scalar(2.0) * f_4 + f_5) / omega1 - q_0 - q_1 - q_2 - q_3 - Scalar(2.0) * q_4;
+  // by omega2
+  gradient[1] = (-Scalar(2.0) * f_1 - f_2 - f_4 + f_6) / omega2 + q_0 + Scalar(3.0) * q_1 + Scalar(2.0) * q_2
+      - Scalar(2.0) * q_3 + q_4;
+  // multiplies a2*a3
+  const Scalar c_0 = (-Scalar(4.0) * omega1_2 - Scalar(4.0) * omega1 * omega2
+      + Scalar(18.0) * omega2_2) * per_3 * per_0 * per_2 * per_1 * per_4 / omega2;
+  // multiplies a3*a4
+  const Scalar c_1 = (Scalar(2.0) * omega1_2 - Scalar(4.0) * omega1 * omega2
+      + Scalar(12.0) * omega2_2) * per_0 * per_2 * per_1 / (Scalar(3.0) * omega1 * omega2_2);
+  const Scalar c_2 = Scalar(3.0) * per_0 * per_1;  // multiplies b4
+  gradient[3] = a3 * c_0;  // by a2
+  gradient[4] = a2 * c_0 + a4 * c_1;  // by a3
+  gradient[5] = a3 * c_1;  // by a4
+  gradient[9] = c_2;  // by b4
+  return value;
+}
+
+namespace one_to_one {
+
+/// Lumps: the parameter combinations that multiply data.
+/// lumps[1]: mu1 = mu1
+/// lumps[4]: e1 = e1
+/// lumps[11]: e2 = e2
+/// lumps[12]: mu2 = mu2
+/// lumps[15]: a2 = a2
+/// lumps[16]: a3 = a3
+/// lumps[17]: a1 = a1
+/// lumps[22]: a4 = a4
+/// 0 operations.
+template <class Scalar>
+void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
+  const Scalar a1 = parameters[2];
+  const Scalar a2 = parameters[3];
+  const Scalar a3 = parameters[4];
+  const Scalar a4 = parameters[5];
   const Scalar mu1 = parameters[11];
   const Scalar e1 = parameters[12];
   const Scalar mu2 = parameters[13];
   const Scalar e2 = parameters[14];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar a1_2 = a1 * a1;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  // conservative_x_A_x2_conjA_y
-  lumps[0] = (Scalar(36.0) * omega1_5 * omega2 * b2 - Scalar(72.0) * omega1_4 * omega2_2 * b2
-      - Scalar(24.0) * omega1_4 * a1 * a2 - Scalar(9.0) * omega1_3 * omega2_3 * b2
-      + Scalar(44.0) * omega1_3 * omega2 * a1 * a2 + Scalar(54.0) * omega1_3 * omega2 * a2 * a3
-      + Scalar(18.0) * omega1_2 * omega2_4 * b2 + Scalar(8.0) * omega1_2 * omega2_2 * a1 * a2
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 - Scalar(2.0) * omega1 * omega2_3 * a1 * a2
-      - Scalar(12.0) * omega1 * omega2_3 * a2 * a3
-      + Scalar(4.0) * omega2_4 * a1 * a2) / (Scalar(24.0) * omega1_6 * omega2 - Scalar(48.0) * omega1_5 * omega2_2
-      - Scalar(6.0) * omega1_4 * omega2_3 + Scalar(12.0) * omega1_3 * omega2_4);
+  lumps[0] = lump_0(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x2_conjA_y
   lumps[1] = mu1;  // mu1
-  // conservative_x_A_x_A_y_conjA_y
-  lumps[2] = (Scalar(4.0) * omega1_6 * omega2_2 * b3 - Scalar(8.0) * omega1_6 * a2 * a4
-      - Scalar(17.0) * omega1_4 * omega2_4 * b3 - Scalar(8.0) * omega1_4 * omega2_2 * a1 * a3
-      - Scalar(4.0) * omega1_4 * omega2_2 * a2_2 + Scalar(34.0) * omega1_4 * omega2_2 * a2 * a4
-      + Scalar(16.0) * omega1_4 * omega2_2 * a3_2 + Scalar(4.0) * omega1_2 * omega2_6 * b3
-      + Scalar(34.0) * omega1_2 * omega2_4 * a1 * a3 + Scalar(16.0) * omega1_2 * omega2_4 * a2_2
-      - Scalar(8.0) * omega1_2 * omega2_4 * a2 * a4 - Scalar(4.0) * omega1_2 * omega2_4 * a3_2
-      - Scalar(8.0) * omega2_6 * a1 * a3) / (Scalar(4.0) * omega1_7 * omega2_2
-      - Scalar(17.0) * omega1_5 * omega2_4 + Scalar(4.0) * omega1_3 * omega2_6);
-  // conservative_x_A_x2_conjA_x
-  lumps[3] = (Scalar(36.0) * omega1_4 * omega2_2 * b1 - Scalar(48.0) * omega1_4 * a2_2
-      - Scalar(9.0) * omega1_2 * omega2_4 * b1 - Scalar(40.0) * omega1_2 * omega2_2 * a1_2
-      + Scalar(18.0) * omega1_2 * omega2_2 * a2_2
-      + Scalar(10.0) * omega2_4 * a1_2) / (Scalar(24.0) * omega1_5 * omega2_2
-      - Scalar(6.0) * omega1_3 * omega2_4);
+  lumps[2] = lump_1(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_A_y_conjA_y
+  lumps[3] = lump_2(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x2_conjA_x
   lumps[4] = e1;  // e1
-  // conservative_x_A_y2_conjA_y
-  lumps[5] = (Scalar(9.0) * omega1_4 * omega2_2 * b4 - Scalar(10.0) * omega1_4 * a3 * a4
-      - Scalar(36.0) * omega1_2 * omega2_4 * b4 - Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
-      + Scalar(40.0) * omega1_2 * omega2_2 * a3 * a4
-      + Scalar(48.0) * omega2_4 * a2 * a3) / (Scalar(6.0) * omega1_5 * omega2_2
-      - Scalar(24.0) * omega1_3 * omega2_4);
-  // conservative_x_A_x_A_y_conjA_x
-  lumps[6] = (Scalar(12.0) * omega1_6 * omega2_2 * b2 - Scalar(8.0) * omega1_6 * a2 * a3
-      - Scalar(51.0) * omega1_4 * omega2_4 * b2 - Scalar(12.0) * omega1_4 * omega2_2 * a1 * a2
-      + Scalar(50.0) * omega1_4 * omega2_2 * a2 * a3 + Scalar(12.0) * omega1_2 * omega2_6 * b2
-      + Scalar(50.0) * omega1_2 * omega2_4 * a1 * a2 - Scalar(12.0) * omega1_2 * omega2_4 * a2 * a3
-      - Scalar(8.0) * omega2_6 * a1 * a2) / (Scalar(4.0) * omega1_7 * omega2_2
-      - Scalar(17.0) * omega1_5 * omega2_4 + Scalar(4.0) * omega1_3 * omega2_6);
-  // conservative_x_A_y2_conjA_x
-  lumps[7] = (Scalar(6.0) * omega1_4 * omega2_2 * b3 + Scalar(4.0) * omega1_4 * a2 * a4
-      - Scalar(3.0) * omega1_3 * omega2_3 * b3 - Scalar(12.0) * omega1_3 * omega2 * a2_2
-      - Scalar(2.0) * omega1_3 * omega2 * a2 * a4 - Scalar(24.0) * omega1_2 * omega2_4 * b3
-      - Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 - Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
-      + Scalar(24.0) * omega1_2 * omega2_2 * a3_2 + Scalar(12.0) * omega1 * omega2_5 * b3
-      + Scalar(6.0) * omega1 * omega2_3 * a1 * a3 + Scalar(48.0) * omega1 * omega2_3 * a2_2
-      + Scalar(8.0) * omega1 * omega2_3 * a2 * a4 + Scalar(36.0) * omega1 * omega2_3 * a3_2
-      - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(12.0) * omega1_5 * omega2_2 - Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(48.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1_2 * omega2_5);
-  // conservative_y_A_x2_conjA_y
-  lumps[8] = (Scalar(12.0) * omega1_5 * omega2 * b3 - Scalar(24.0) * omega1_4 * omega2_2 * b3
-      - Scalar(24.0) * omega1_4 * a2_2 - Scalar(3.0) * omega1_3 * omega2_3 * b3
-      + Scalar(8.0) * omega1_3 * omega2 * a1 * a3 + Scalar(36.0) * omega1_3 * omega2 * a2_2
-      + Scalar(6.0) * omega1_3 * omega2 * a2 * a4 + Scalar(48.0) * omega1_3 * omega2 * a3_2
-      + Scalar(6.0) * omega1_2 * omega2_4 * b3 - Scalar(16.0) * omega1_2 * omega2_2 * a1 * a3
-      + Scalar(24.0) * omega1_2 * omega2_2 * a2_2 - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a4
-      - Scalar(2.0) * omega1 * omega2_3 * a1 * a3 - Scalar(12.0) * omega1 * omega2_3 * a3_2
-      + Scalar(4.0) * omega2_4 * a1 * a3) / (Scalar(24.0) * omega1_5 * omega2_2
-      - Scalar(48.0) * omega1_4 * omega2_3 - Scalar(6.0) * omega1_3 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_5);
-  // conservative_y_A_x_A_y_conjA_y
-  lumps[9] = (Scalar(12.0) * omega1_6 * omega2_2 * b4 - Scalar(8.0) * omega1_6 * a3 * a4
-      - Scalar(51.0) * omega1_4 * omega2_4 * b4 - Scalar(12.0) * omega1_4 * omega2_2 * a2 * a3
-      + Scalar(50.0) * omega1_4 * omega2_2 * a3 * a4 + Scalar(12.0) * omega1_2 * omega2_6 * b4
-      + Scalar(50.0) * omega1_2 * omega2_4 * a2 * a3 - Scalar(12.0) * omega1_2 * omega2_4 * a3 * a4
-      - Scalar(8.0) * omega2_6 * a2 * a3) / (Scalar(4.0) * omega1_6 * omega2_3
-      - Scalar(17.0) * omega1_4 * omega2_5 + Scalar(4.0) * omega1_2 * omega2_7);
-  // conservative_y_A_x2_conjA_x
-  lumps[10] = (Scalar(36.0) * omega1_4 * omega2_2 * b2 - Scalar(48.0) * omega1_4 * a2 * a3
-      - Scalar(9.0) * omega1_2 * omega2_4 * b2 - Scalar(40.0) * omega1_2 * omega2_2 * a1 * a2
-      + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
-      + Scalar(10.0) * omega2_4 * a1 * a2) / (Scalar(24.0) * omega1_4 * omega2_3
-      - Scalar(6.0) * omega1_2 * omega2_5);
+  lumps[5] = lump_3(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_y2_conjA_y
+  lumps[6] = lump_4(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_A_y_conjA_x
+  lumps[7] = lump_5(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_y2_conjA_x
+  lumps[8] = lump_6(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x2_conjA_y
+  lumps[9] = lump_7(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x_A_y_conjA_y
+  lumps[10] = lump_8(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x2_conjA_x
   lumps[11] = e2;  // e2
   lumps[12] = mu2;  // mu2
-  // conservative_y_A_y2_conjA_y
-  lumps[13] = (Scalar(9.0) * omega1_4 * omega2_2 * b5 - Scalar(10.0) * omega1_4 * a4_2
-      - Scalar(36.0) * omega1_2 * omega2_4 * b5 - Scalar(18.0) * omega1_2 * omega2_2 * a3_2
-      + Scalar(40.0) * omega1_2 * omega2_2 * a4_2
-      + Scalar(48.0) * omega2_4 * a3_2) / (Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_5);
-  // conservative_y_A_y2_conjA_x
-  lumps[14] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
-      - Scalar(9.0) * omega1_3 * omega2_3 * b4 - Scalar(12.0) * omega1_3 * omega2 * a2 * a3
-      - Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
-      + Scalar(36.0) * omega1 * omega2_5 * b4 + Scalar(54.0) * omega1 * omega2_3 * a2 * a3
-      + Scalar(44.0) * omega1 * omega2_3 * a3 * a4
-      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(12.0) * omega1_4 * omega2_3
-      - Scalar(6.0) * omega1_3 * omega2_4 - Scalar(48.0) * omega1_2 * omega2_5
-      + Scalar(24.0) * omega1 * omega2_6);
+  lumps[13] = lump_9(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_y2_conjA_y
+  lumps[14] = lump_10(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_y2_conjA_x
   lumps[15] = a2;  // a2
   lumps[16] = a3;  // a3
   lumps[17] = a1;  // a1
-  // harmonic_re_x_A_y3
-  lumps[18] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
-      + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
-      + Scalar(8.0) * omega2_2 * a3 * a4) / (Scalar(3.0) * omega1_4 * omega2_2
-      - Scalar(39.0) * omega1_2 * omega2_4 + Scalar(108.0) * omega2_6);
-  // harmonic_re_x_A_x_A_y2
-  lumps[19] = (Scalar(6.0) * omega1_4 * omega2_2 * b3 + Scalar(4.0) * omega1_4 * a2 * a4
-      + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
-      + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 - Scalar(24.0) * omega1_2 * omega2_4 * b3
-      - Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 - Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
-      + Scalar(24.0) * omega1_2 * omega2_2 * a3_2 - Scalar(12.0) * omega1 * omega2_5 * b3
-      - Scalar(6.0) * omega1 * omega2_3 * a1 * a3 - Scalar(48.0) * omega1 * omega2_3 * a2_2
-      - Scalar(8.0) * omega1 * omega2_3 * a2 * a4 - Scalar(36.0) * omega1 * omega2_3 * a3_2
-      - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7);
-  // harmonic_re_x_A_x2_A_y
-  lumps[20] = (Scalar(36.0) * omega1_5 * omega2 * b2 + Scalar(72.0) * omega1_4 * omega2_2 * b2
-      + Scalar(24.0) * omega1_4 * a1 * a2 - Scalar(9.0) * omega1_3 * omega2_3 * b2
-      + Scalar(44.0) * omega1_3 * omega2 * a1 * a2 + Scalar(54.0) * omega1_3 * omega2 * a2 * a3
-      - Scalar(18.0) * omega1_2 * omega2_4 * b2 - Scalar(8.0) * omega1_2 * omega2_2 * a1 * a2
-      + Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 - Scalar(2.0) * omega1 * omega2_3 * a1 * a2
-      - Scalar(12.0) * omega1 * omega2_3 * a2 * a3
-      - Scalar(4.0) * omega2_4 * a1 * a2) / (Scalar(36.0) * omega1_7 * omega2
-      + Scalar(120.0) * omega1_6 * omega2_2 + Scalar(99.0) * omega1_5 * omega2_3
-      - Scalar(6.0) * omega1_4 * omega2_4 - Scalar(27.0) * omega1_3 * omega2_5
-      - Scalar(6.0) * omega1_2 * omega2_6);
-  // harmonic_re_x_A_x3
-  lumps[21] = (Scalar(12.0) * omega1_4 * b1 - Scalar(3.0) * omega1_2 * omega2_2 * b1
-      + Scalar(8.0) * omega1_2 * a1_2 + Scalar(6.0) * omega1_2 * a2_2
-      - Scalar(2.0) * omega2_2 * a1_2) / (Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2);
+  lumps[18] = lump_11(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y3
+  lumps[19] = lump_12(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y2
+  lumps[20] = lump_13(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x2_A_y
+  lumps[21] = lump_14(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x3
   lumps[22] = a4;  // a4
-  // harmonic_re_y_A_y3
-  lumps[23] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
-      - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
-      - Scalar(8.0) * omega2_2 * a4_2) / (Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6);
-  // harmonic_re_y_A_x_A_y2
-  lumps[24] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
-      + Scalar(9.0) * omega1_3 * omega2_3 * b4 + Scalar(12.0) * omega1_3 * omega2 * a2 * a3
-      + Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_5 * b4 - Scalar(54.0) * omega1 * omega2_3 * a2 * a3
-      - Scalar(44.0) * omega1 * omega2_3 * a3 * a4
-      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(6.0) * omega1_6 * omega2_2
-      + Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
-      - Scalar(36.0) * omega1 * omega2_7);
-  // harmonic_re_y_A_x2_A_y
-  lumps[25] = (Scalar(12.0) * omega1_5 * omega2 * b3 + Scalar(24.0) * omega1_4 * omega2_2 * b3
-      + Scalar(24.0) * omega1_4 * a2_2 - Scalar(3.0) * omega1_3 * omega2_3 * b3
-      + Scalar(8.0) * omega1_3 * omega2 * a1 * a3 + Scalar(36.0) * omega1_3 * omega2 * a2_2
-      + Scalar(6.0) * omega1_3 * omega2 * a2 * a4 + Scalar(48.0) * omega1_3 * omega2 * a3_2
-      - Scalar(6.0) * omega1_2 * omega2_4 * b3 + Scalar(16.0) * omega1_2 * omega2_2 * a1 * a3
-      - Scalar(24.0) * omega1_2 * omega2_2 * a2_2 + Scalar(12.0) * omega1_2 * omega2_2 * a2 * a4
-      - Scalar(2.0) * omega1 * omega2_3 * a1 * a3 - Scalar(12.0) * omega1 * omega2_3 * a3_2
-      - Scalar(4.0) * omega2_4 * a1 * a3) / (Scalar(48.0) * omega1_7 * omega2
-      + Scalar(144.0) * omega1_6 * omega2_2 + Scalar(84.0) * omega1_5 * omega2_3
-      - Scalar(36.0) * omega1_4 * omega2_4 - Scalar(24.0) * omega1_3 * omega2_5);
-  // harmonic_re_y_A_x3
-  lumps[26] = (Scalar(12.0) * omega1_4 * b2 - Scalar(3.0) * omega1_2 * omega2_2 * b2
-      + Scalar(8.0) * omega1_2 * a1 * a2 + Scalar(6.0) * omega1_2 * a2 * a3
-      - Scalar(2.0) * omega2_2 * a1 * a2) / (Scalar(108.0) * omega1_6 - Scalar(39.0) * omega1_4 * omega2_2
-      + Scalar(3.0) * omega1_2 * omega2_4);
-}
-
-/// gradient[p] = d conservative_x_A_x2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 110 operations.
-template <class Scalar>
-void lump_gradient_0(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(24.0) * omega1_6 * omega2 - Scalar(48.0) * omega1_5 * omega2_2
-      - Scalar(6.0) * omega1_4 * omega2_3 + Scalar(12.0) * omega1_3 * omega2_4;
-  // multiplies a1*a2
-  const Scalar c_0 = -Scalar(24.0) * omega1_4 + Scalar(44.0) * omega1_3 * omega2
-      + Scalar(8.0) * omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3 + Scalar(4.0) * omega2_4;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(54.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(12.0) * omega1 * omega2_3;
-  // multiplies b2
-  const Scalar c_2 = Scalar(36.0) * omega1_5 * omega2 - Scalar(72.0) * omega1_4 * omega2_2
-      - Scalar(9.0) * omega1_3 * omega2_3 + Scalar(18.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(36.0) * b2;  // multiplies omega1^5*omega2
-  const Scalar w_1 = -Scalar(72.0) * b2;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = -Scalar(24.0) * a1 * a2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(9.0) * b2;  // multiplies omega1^3*omega2^3
-  const Scalar w_4 = Scalar(44.0) * a1 * a2 + Scalar(54.0) * a2 * a3;  // multiplies omega1^3*omega2
-  const Scalar w_5 = Scalar(18.0) * b2;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = Scalar(8.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1^2*omega2^2
-  const Scalar w_7 = -Scalar(2.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1*omega2^3
-  const Scalar w_8 = Scalar(4.0) * a1 * a2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(144.0) * omega1_5 * omega2
-      - Scalar(240.0) * omega1_4 * omega2_2 - Scalar(24.0) * omega1_3 * omega2_3
-      + Scalar(36.0) * omega1_2 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(24.0) * omega1_6
-      - Scalar(96.0) * omega1_5 * omega2 - Scalar(18.0) * omega1_4 * omega2_2
-      + Scalar(48.0) * omega1_3 * omega2_3)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d conservative_x_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 105 operations.
-template <class Scalar>
-void lump_gradient_2(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(4.0) * omega1_7 * omega2_2 - Scalar(17.0) * omega1_5 * omega2_4
-      + Scalar(4.0) * omega1_3 * omega2_6;
-  // multiplies a1*a3
-  const Scalar c_0 = -Scalar(8.0) * omega1_4 * omega2_2 + Scalar(34.0) * omega1_2 * omega2_4
-      - Scalar(8.0) * omega2_6;
-  const Scalar c_1 = -Scalar(4.0) * omega1_4 * omega2_2 + Scalar(16.0) * omega1_2 * omega2_4;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(8.0) * omega1_6 + Scalar(34.0) * omega1_4 * omega2_2
-      - Scalar(8.0) * omega1_2 * omega2_4;
-  const Scalar c_3 = Scalar(16.0) * omega1_4 * omega2_2 - Scalar(4.0) * omega1_2 * omega2_4;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(4.0) * omega1_6 * omega2_2 - Scalar(17.0) * omega1_4 * omega2_4
-      + Scalar(4.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = Scalar(4.0) * b3;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a2 * a4;  // multiplies omega1^6
-  const Scalar w_2 = -Scalar(17.0) * b3;  // multiplies omega1^4*omega2^4
-  // multiplies omega1^4*omega2^2
-  const Scalar w_3 = -Scalar(8.0) * a1 * a3 - Scalar(4.0) * a2_2 + Scalar(34.0) * a2 * a4 + Scalar(16.0) * a3_2;
-  const Scalar w_4 = Scalar(4.0) * b3;  // multiplies omega1^2*omega2^6
-  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = Scalar(34.0) * a1 * a3 + Scalar(16.0) * a2_2 - Scalar(8.0) * a2 * a4 - Scalar(4.0) * a3_2;
-  const Scalar w_6 = -Scalar(8.0) * a1 * a3;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(28.0) * omega1_6 * omega2_2 - Scalar(85.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(8.0) * omega1_7 * omega2 - Scalar(68.0) * omega1_5 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_5)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d conservative_x_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_3(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b1 = parameters[6];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar a1_2 = a1 * a1;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_2 - Scalar(6.0) * omega1_3 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(144.0) * omega1_3 * omega2_2 * b1 - Scalar(192.0) * omega1_3 * a2_2
-      - Scalar(18.0) * omega1 * omega2_4 * b1 - Scalar(80.0) * omega1 * omega2_2 * a1_2
-      + Scalar(36.0) * omega1 * omega2_2 * a2_2 - lump * (Scalar(120.0) * omega1_4 * omega2_2
-      - Scalar(18.0) * omega1_2 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(72.0) * omega1_4 * omega2 * b1 - Scalar(36.0) * omega1_2 * omega2_3 * b1
-      - Scalar(80.0) * omega1_2 * omega2 * a1_2 + Scalar(36.0) * omega1_2 * omega2 * a2_2
-      + Scalar(40.0) * omega2_3 * a1_2 - lump * (Scalar(48.0) * omega1_5 * omega2
-      - Scalar(24.0) * omega1_3 * omega2_3)) / denominator;
-  gradient[2] = (-Scalar(80.0) * omega1_2 * omega2_2 * a1 + Scalar(20.0) * omega2_4 * a1) / denominator;  // by a1
-  gradient[3] = (-Scalar(96.0) * omega1_4 * a2 + Scalar(36.0) * omega1_2 * omega2_2 * a2) / denominator;  // by a2
-  gradient[6] = (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_2 * omega2_4) / denominator;  // by b1
-}
-
-/// gradient[p] = d conservative_x_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 87 operations.
-template <class Scalar>
-void lump_gradient_5(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_5 * omega2_2 - Scalar(24.0) * omega1_3 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(36.0) * omega1_3 * omega2_2 * b4 - Scalar(40.0) * omega1_3 * a3 * a4
-      - Scalar(72.0) * omega1 * omega2_4 * b4 - Scalar(36.0) * omega1 * omega2_2 * a2 * a3
-      + Scalar(80.0) * omega1 * omega2_2 * a3 * a4 - lump * (Scalar(30.0) * omega1_4 * omega2_2
-      - Scalar(72.0) * omega1_2 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_4 * omega2 * b4 - Scalar(144.0) * omega1_2 * omega2_3 * b4
-      - Scalar(36.0) * omega1_2 * omega2 * a2 * a3 + Scalar(80.0) * omega1_2 * omega2 * a3 * a4
-      + Scalar(192.0) * omega2_3 * a2 * a3 - lump * (Scalar(12.0) * omega1_5 * omega2
-      - Scalar(96.0) * omega1_3 * omega2_3)) / denominator;
-  gradient[3] = (-Scalar(18.0) * omega1_2 * omega2_2 * a3 + Scalar(48.0) * omega2_4 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (-Scalar(10.0) * omega1_4 * a4 - Scalar(18.0) * omega1_2 * omega2_2 * a2
-      + Scalar(40.0) * omega1_2 * omega2_2 * a4 + Scalar(48.0) * omega2_4 * a2) / denominator;
-  gradient[5] = (-Scalar(10.0) * omega1_4 * a3 + Scalar(40.0) * omega1_2 * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (Scalar(9.0) * omega1_4 * omega2_2 - Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d conservative_x_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 85 operations.
-template <class Scalar>
-void lump_gradient_6(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(4.0) * omega1_7 * omega2_2 - Scalar(17.0) * omega1_5 * omega2_4
-      + Scalar(4.0) * omega1_3 * omega2_6;
-  // multiplies a1*a2
-  const Scalar c_0 = -Scalar(12.0) * omega1_4 * omega2_2 + Scalar(50.0) * omega1_2 * omega2_4
-      - Scalar(8.0) * omega2_6;
-  // multiplies a2*a3
-  const Scalar c_1 = -Scalar(8.0) * omega1_6 + Scalar(50.0) * omega1_4 * omega2_2
-      - Scalar(12.0) * omega1_2 * omega2_4;
-  // multiplies b2
-  const Scalar c_2 = Scalar(12.0) * omega1_6 * omega2_2 - Scalar(51.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = Scalar(12.0) * b2;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a2 * a3;  // multiplies omega1^6
-  const Scalar w_2 = -Scalar(51.0) * b2;  // multiplies omega1^4*omega2^4
-  const Scalar w_3 = -Scalar(12.0) * a1 * a2 + Scalar(50.0) * a2 * a3;  // multiplies omega1^4*omega2^2
-  const Scalar w_4 = Scalar(12.0) * b2;  // multiplies omega1^2*omega2^6
-  const Scalar w_5 = Scalar(50.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = -Scalar(8.0) * a1 * a2;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(28.0) * omega1_6 * omega2_2 - Scalar(85.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(8.0) * omega1_7 * omega2 - Scalar(68.0) * omega1_5 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_5)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d conservative_x_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 124 operations.
-template <class Scalar>
-void lump_gradient_7(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_5 * omega2_2 - Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(48.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1_2 * omega2_5;
-  const Scalar c_0 = -Scalar(12.0) * omega1_2 * omega2_2 + Scalar(6.0) * omega1 * omega2_3;  // multiplies a1*a3
-  const Scalar c_1 = -Scalar(12.0) * omega1_3 * omega2 + Scalar(48.0) * omega1 * omega2_3;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = Scalar(4.0) * omega1_4 - Scalar(2.0) * omega1_3 * omega2 - Scalar(16.0) * omega1_2 * omega2_2
-      + Scalar(8.0) * omega1 * omega2_3;
-  // multiplies a3^2
-  const Scalar c_3 = Scalar(24.0) * omega1_2 * omega2_2 + Scalar(36.0) * omega1 * omega2_3
-      - Scalar(24.0) * omega2_4;
-  // multiplies b3
-  const Scalar c_4 = Scalar(6.0) * omega1_4 * omega2_2 - Scalar(3.0) * omega1_3 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_4 + Scalar(12.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(6.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a2 * a4;  // multiplies omega1^4
-  const Scalar w_2 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = -Scalar(12.0) * a2_2 - Scalar(2.0) * a2 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(24.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_5 = -Scalar(12.0) * a1 * a3 - Scalar(16.0) * a2 * a4 + Scalar(24.0) * a3_2;
-  const Scalar w_6 = Scalar(12.0) * b3;  // multiplies omega1*omega2^5
-  // multiplies omega1*omega2^3
-  const Scalar w_7 = Scalar(6.0) * a1 * a3 + Scalar(48.0) * a2_2 + Scalar(8.0) * a2 * a4 + Scalar(36.0) * a3_2;
-  const Scalar w_8 = -Scalar(24.0) * a3_2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(60.0) * omega1_4 * omega2_2 - Scalar(24.0) * omega1_3 * omega2_3
-      - Scalar(144.0) * omega1_2 * omega2_4 + Scalar(48.0) * omega1 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(24.0) * omega1_5 * omega2
-      - Scalar(18.0) * omega1_4 * omega2_2 - Scalar(192.0) * omega1_3 * omega2_3
-      + Scalar(120.0) * omega1_2 * omega2_4)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d conservative_y_A_x2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 124 operations.
-template <class Scalar>
-void lump_gradient_8(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_2 - Scalar(48.0) * omega1_4 * omega2_3
-      - Scalar(6.0) * omega1_3 * omega2_4 + Scalar(12.0) * omega1_2 * omega2_5;
-  // multiplies a1*a3
-  const Scalar c_0 = Scalar(8.0) * omega1_3 * omega2 - Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(2.0) * omega1 * omega2_3 + Scalar(4.0) * omega2_4;
-  // multiplies a2^2
-  const Scalar c_1 = -Scalar(24.0) * omega1_4 + Scalar(36.0) * omega1_3 * omega2
-      + Scalar(24.0) * omega1_2 * omega2_2;
-  const Scalar c_2 = Scalar(6.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2;  // multiplies a2*a4
-  const Scalar c_3 = Scalar(48.0) * omega1_3 * omega2 - Scalar(12.0) * omega1 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(12.0) * omega1_5 * omega2 - Scalar(24.0) * omega1_4 * omega2_2
-      - Scalar(3.0) * omega1_3 * omega2_3 + Scalar(6.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(12.0) * b3;  // multiplies omega1^5*omega2
-  const Scalar w_1 = -Scalar(24.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = -Scalar(24.0) * a2_2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  // multiplies omega1^3*omega2
-  const Scalar w_4 = Scalar(8.0) * a1 * a3 + Scalar(36.0) * a2_2 + Scalar(6.0) * a2 * a4 + Scalar(48.0) * a3_2;
-  const Scalar w_5 = Scalar(6.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = -Scalar(16.0) * a1 * a3 + Scalar(24.0) * a2_2 - Scalar(12.0) * a2 * a4;
-  const Scalar w_7 = -Scalar(2.0) * a1 * a3 - Scalar(12.0) * a3_2;  // multiplies omega1*omega2^3
-  const Scalar w_8 = Scalar(4.0) * a1 * a3;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(120.0) * omega1_4 * omega2_2
-      - Scalar(192.0) * omega1_3 * omega2_3 - Scalar(18.0) * omega1_2 * omega2_4
-      + Scalar(24.0) * omega1 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8
-      - lump * (Scalar(48.0) * omega1_5 * omega2 - Scalar(144.0) * omega1_4 * omega2_2
-      - Scalar(24.0) * omega1_3 * omega2_3 + Scalar(60.0) * omega1_2 * omega2_4)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d conservative_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 85 operations.
-template <class Scalar>
-void lump_gradient_9(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(4.0) * omega1_6 * omega2_3 - Scalar(17.0) * omega1_4 * omega2_5
-      + Scalar(4.0) * omega1_2 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = -Scalar(12.0) * omega1_4 * omega2_2 + Scalar(50.0) * omega1_2 * omega2_4
-      - Scalar(8.0) * omega2_6;
-  // multiplies a3*a4
-  const Scalar c_1 = -Scalar(8.0) * omega1_6 + Scalar(50.0) * omega1_4 * omega2_2
-      - Scalar(12.0) * omega1_2 * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(12.0) * omega1_6 * omega2_2 - Scalar(51.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = Scalar(12.0) * b4;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a3 * a4;  // multiplies omega1^6
-  const Scalar w_2 = -Scalar(51.0) * b4;  // multiplies omega1^4*omega2^4
-  const Scalar w_3 = -Scalar(12.0) * a2 * a3 + Scalar(50.0) * a3 * a4;  // multiplies omega1^4*omega2^2
-  const Scalar w_4 = Scalar(12.0) * b4;  // multiplies omega1^2*omega2^6
-  const Scalar w_5 = Scalar(50.0) * a2 * a3 - Scalar(12.0) * a3 * a4;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = -Scalar(8.0) * a2 * a3;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(24.0) * omega1_5 * omega2_3 - Scalar(68.0) * omega1_3 * omega2_5
-      + Scalar(8.0) * omega1 * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(12.0) * omega1_6 * omega2_2 - Scalar(85.0) * omega1_4 * omega2_4
-      + Scalar(28.0) * omega1_2 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d conservative_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 87 operations.
-template <class Scalar>
-void lump_gradient_10(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar denominator = Scalar(24.0) * omega1_4 * omega2_3 - Scalar(6.0) * omega1_2 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(144.0) * omega1_3 * omega2_2 * b2 - Scalar(192.0) * omega1_3 * a2 * a3
-      - Scalar(18.0) * omega1 * omega2_4 * b2 - Scalar(80.0) * omega1 * omega2_2 * a1 * a2
-      + Scalar(36.0) * omega1 * omega2_2 * a2 * a3 - lump * (Scalar(96.0) * omega1_3 * omega2_3
-      - Scalar(12.0) * omega1 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(72.0) * omega1_4 * omega2 * b2 - Scalar(36.0) * omega1_2 * omega2_3 * b2
-      - Scalar(80.0) * omega1_2 * omega2 * a1 * a2 + Scalar(36.0) * omega1_2 * omega2 * a2 * a3
-      + Scalar(40.0) * omega2_3 * a1 * a2 - lump * (Scalar(72.0) * omega1_4 * omega2_2
-      - Scalar(30.0) * omega1_2 * omega2_4)) / denominator;
-  gradient[2] = (-Scalar(40.0) * omega1_2 * omega2_2 * a2 + Scalar(10.0) * omega2_4 * a2) / denominator;  // by a1
-  // by a2
-  gradient[3] = (-Scalar(48.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a1
-      + Scalar(18.0) * omega1_2 * omega2_2 * a3 + Scalar(10.0) * omega2_4 * a1) / denominator;
-  gradient[4] = (-Scalar(48.0) * omega1_4 * a2 + Scalar(18.0) * omega1_2 * omega2_2 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_2 * omega2_4) / denominator;  // by b2
-}
-
-/// gradient[p] = d conservative_y_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_13(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(6.0) * omega1_4 * omega2_3 - Scalar(24.0) * omega1_2 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(36.0) * omega1_3 * omega2_2 * b5 - Scalar(40.0) * omega1_3 * a4_2
-      - Scalar(72.0) * omega1 * omega2_4 * b5 - Scalar(36.0) * omega1 * omega2_2 * a3_2
-      + Scalar(80.0) * omega1 * omega2_2 * a4_2 - lump * (Scalar(24.0) * omega1_3 * omega2_3
-      - Scalar(48.0) * omega1 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_4 * omega2 * b5 - Scalar(144.0) * omega1_2 * omega2_3 * b5
-      - Scalar(36.0) * omega1_2 * omega2 * a3_2 + Scalar(80.0) * omega1_2 * omega2 * a4_2
-      + Scalar(192.0) * omega2_3 * a3_2 - lump * (Scalar(18.0) * omega1_4 * omega2_2
-      - Scalar(120.0) * omega1_2 * omega2_4)) / denominator;
-  gradient[4] = (-Scalar(36.0) * omega1_2 * omega2_2 * a3 + Scalar(96.0) * omega2_4 * a3) / denominator;  // by a3
-  gradient[5] = (-Scalar(20.0) * omega1_4 * a4 + Scalar(80.0) * omega1_2 * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(9.0) * omega1_4 * omega2_2 - Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d conservative_y_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 110 operations.
-template <class Scalar>
-void lump_gradient_14(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(12.0) * omega1_4 * omega2_3 - Scalar(6.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(24.0) * omega1 * omega2_6;
-  // multiplies a2*a3
-  const Scalar c_0 = -Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      + Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 - Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      + Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 + Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = -Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = -Scalar(12.0) * a2 * a3 - Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = Scalar(54.0) * a2 * a3 + Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(48.0) * omega1_3 * omega2_3 - Scalar(18.0) * omega1_2 * omega2_4
-      - Scalar(96.0) * omega1 * omega2_5 + Scalar(24.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(36.0) * omega1_4 * omega2_2
-      - Scalar(24.0) * omega1_3 * omega2_3 - Scalar(240.0) * omega1_2 * omega2_4
-      + Scalar(144.0) * omega1 * omega2_5)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 59 operations.
-template <class Scalar>
-void lump_gradient_18(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(39.0) * omega1_2 * omega2_4
-      + Scalar(108.0) * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * omega2_2 * b4 - Scalar(4.0) * omega1 * a3 * a4
-      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(78.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b4 + Scalar(48.0) * omega2_3 * b4
-      + Scalar(12.0) * omega2 * a2 * a3 + Scalar(16.0) * omega2 * a3 * a4
-      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(156.0) * omega1_2 * omega2_3
-      + Scalar(648.0) * omega2_5)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * a4 + Scalar(6.0) * omega2_2 * a2
-      + Scalar(8.0) * omega2_2 * a4) / denominator;
-  gradient[5] = (-Scalar(2.0) * omega1_2 * a3 + Scalar(8.0) * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(3.0) * omega1_2 * omega2_2 + Scalar(12.0) * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_19(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7;
-  const Scalar c_0 = -Scalar(12.0) * omega1_2 * omega2_2 - Scalar(6.0) * omega1 * omega2_3;  // multiplies a1*a3
-  const Scalar c_1 = Scalar(12.0) * omega1_3 * omega2 - Scalar(48.0) * omega1 * omega2_3;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 - Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(8.0) * omega1 * omega2_3;
-  // multiplies a3^2
-  const Scalar c_3 = Scalar(24.0) * omega1_2 * omega2_2 - Scalar(36.0) * omega1 * omega2_3
-      - Scalar(24.0) * omega2_4;
-  // multiplies b3
-  const Scalar c_4 = Scalar(6.0) * omega1_4 * omega2_2 + Scalar(3.0) * omega1_3 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_4 - Scalar(12.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(6.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a2 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2_2 + Scalar(2.0) * a2 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(24.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_5 = -Scalar(12.0) * a1 * a3 - Scalar(16.0) * a2 * a4 + Scalar(24.0) * a3_2;
-  const Scalar w_6 = -Scalar(12.0) * b3;  // multiplies omega1*omega2^5
-  // multiplies omega1*omega2^3
-  const Scalar w_7 = -Scalar(6.0) * a1 * a3 - Scalar(48.0) * a2_2 - Scalar(8.0) * a2 * a4 - Scalar(36.0) * a3_2;
-  const Scalar w_8 = -Scalar(24.0) * a3_2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(120.0) * omega1_4 * omega2_3 + Scalar(144.0) * omega1_3 * omega2_4
-      - Scalar(252.0) * omega1_2 * omega2_5 - Scalar(288.0) * omega1 * omega2_6
-      - Scalar(48.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(72.0) * omega1_5 * omega2_2
-      + Scalar(144.0) * omega1_4 * omega2_3 - Scalar(420.0) * omega1_3 * omega2_4
-      - Scalar(864.0) * omega1_2 * omega2_5 - Scalar(336.0) * omega1 * omega2_6)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_x_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_20(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(36.0) * omega1_7 * omega2 + Scalar(120.0) * omega1_6 * omega2_2
-      + Scalar(99.0) * omega1_5 * omega2_3 - Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(27.0) * omega1_3 * omega2_5 - Scalar(6.0) * omega1_2 * omega2_6;
-  // multiplies a1*a2
-  const Scalar c_0 = Scalar(24.0) * omega1_4 + Scalar(44.0) * omega1_3 * omega2
-      - Scalar(8.0) * omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3 - Scalar(4.0) * omega2_4;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(54.0) * omega1_3 * omega2 + Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(12.0) * omega1 * omega2_3;
-  // multiplies b2
-  const Scalar c_2 = Scalar(36.0) * omega1_5 * omega2 + Scalar(72.0) * omega1_4 * omega2_2
-      - Scalar(9.0) * omega1_3 * omega2_3 - Scalar(18.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(36.0) * b2;  // multiplies omega1^5*omega2
-  const Scalar w_1 = Scalar(72.0) * b2;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = Scalar(24.0) * a1 * a2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(9.0) * b2;  // multiplies omega1^3*omega2^3
-  const Scalar w_4 = Scalar(44.0) * a1 * a2 + Scalar(54.0) * a2 * a3;  // multiplies omega1^3*omega2
-  const Scalar w_5 = -Scalar(18.0) * b2;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = -Scalar(8.0) * a1 * a2 + Scalar(12.0) * a2 * a3;  // multiplies omega1^2*omega2^2
-  const Scalar w_7 = -Scalar(2.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(4.0) * a1 * a2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(252.0) * omega1_6 * omega2
-      + Scalar(720.0) * omega1_5 * omega2_2 + Scalar(495.0) * omega1_4 * omega2_3
-      - Scalar(24.0) * omega1_3 * omega2_4 - Scalar(81.0) * omega1_2 * omega2_5
-      - Scalar(12.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(36.0) * omega1_7
-      + Scalar(240.0) * omega1_6 * omega2 + Scalar(297.0) * omega1_5 * omega2_2
-      - Scalar(24.0) * omega1_4 * omega2_3 - Scalar(135.0) * omega1_3 * omega2_4
-      - Scalar(36.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_21(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b1 = parameters[6];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar a1_2 = a1 * a1;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(48.0) * omega1_3 * b1 - Scalar(6.0) * omega1 * omega2_2 * b1
-      + Scalar(16.0) * omega1 * a1_2 + Scalar(12.0) * omega1 * a2_2 - lump * (Scalar(576.0) * omega1_5
-      - Scalar(96.0) * omega1_3 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b1 - Scalar(4.0) * omega2 * a1_2
-      - lump * (-Scalar(48.0) * omega1_4 * omega2)) / denominator;
-  gradient[2] = (Scalar(16.0) * omega1_2 * a1 - Scalar(4.0) * omega2_2 * a1) / denominator;  // by a1
-  gradient[3] = (Scalar(12.0) * omega1_2 * a2) / denominator;  // by a2
-  gradient[6] = (Scalar(12.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2) / denominator;  // by b1
-}
-
-/// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_23(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * omega2_2 * b5 + Scalar(4.0) * omega1 * a4_2
-      - lump * (Scalar(48.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(6.0) * omega1_2 * omega2 * b5 - Scalar(48.0) * omega2_3 * b5
-      - Scalar(12.0) * omega2 * a3_2 - Scalar(16.0) * omega2 * a4_2 - lump * (Scalar(96.0) * omega1_2 * omega2_3
-      - Scalar(576.0) * omega2_5)) / denominator;
-  gradient[4] = (-Scalar(12.0) * omega2_2 * a3) / denominator;  // by a3
-  gradient[5] = (Scalar(4.0) * omega1_2 * a4 - Scalar(16.0) * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(3.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 + Scalar(27.0) * omega1_5 * omega2_3
-      + Scalar(6.0) * omega1_4 * omega2_4 - Scalar(99.0) * omega1_3 * omega2_5
-      - Scalar(120.0) * omega1_2 * omega2_6 - Scalar(36.0) * omega1 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      - Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 + Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 - Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2 * a3 + Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = -Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = -Scalar(54.0) * a2 * a3 - Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 + Scalar(135.0) * omega1_4 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_4 - Scalar(297.0) * omega1_2 * omega2_5
-      - Scalar(240.0) * omega1 * omega2_6 - Scalar(36.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
-      + Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
-      - Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
-      - Scalar(252.0) * omega1 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(48.0) * omega1_7 * omega2 + Scalar(144.0) * omega1_6 * omega2_2
-      + Scalar(84.0) * omega1_5 * omega2_3 - Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(24.0) * omega1_3 * omega2_5;
-  // multiplies a1*a3
-  const Scalar c_0 = Scalar(8.0) * omega1_3 * omega2 + Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(2.0) * omega1 * omega2_3 - Scalar(4.0) * omega2_4;
-  // multiplies a2^2
-  const Scalar c_1 = Scalar(24.0) * omega1_4 + Scalar(36.0) * omega1_3 * omega2
-      - Scalar(24.0) * omega1_2 * omega2_2;
-  const Scalar c_2 = Scalar(6.0) * omega1_3 * omega2 + Scalar(12.0) * omega1_2 * omega2_2;  // multiplies a2*a4
-  const Scalar c_3 = Scalar(48.0) * omega1_3 * omega2 - Scalar(12.0) * omega1 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(12.0) * omega1_5 * omega2 + Scalar(24.0) * omega1_4 * omega2_2
-      - Scalar(3.0) * omega1_3 * omega2_3 - Scalar(6.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(12.0) * b3;  // multiplies omega1^5*omega2
-  const Scalar w_1 = Scalar(24.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = Scalar(24.0) * a2_2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  // multiplies omega1^3*omega2
-  const Scalar w_4 = Scalar(8.0) * a1 * a3 + Scalar(36.0) * a2_2 + Scalar(6.0) * a2 * a4 + Scalar(48.0) * a3_2;
-  const Scalar w_5 = -Scalar(6.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = Scalar(16.0) * a1 * a3 - Scalar(24.0) * a2_2 + Scalar(12.0) * a2 * a4;
-  const Scalar w_7 = -Scalar(2.0) * a1 * a3 - Scalar(12.0) * a3_2;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(4.0) * a1 * a3;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(336.0) * omega1_6 * omega2
-      + Scalar(864.0) * omega1_5 * omega2_2 + Scalar(420.0) * omega1_4 * omega2_3
-      - Scalar(144.0) * omega1_3 * omega2_4 - Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(48.0) * omega1_7
-      + Scalar(288.0) * omega1_6 * omega2 + Scalar(252.0) * omega1_5 * omega2_2
-      - Scalar(144.0) * omega1_4 * omega2_3 - Scalar(120.0) * omega1_3 * omega2_4)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 59 operations.
-template <class Scalar>
-void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(108.0) * omega1_6 - Scalar(39.0) * omega1_4 * omega2_2
-      + Scalar(3.0) * omega1_2 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(48.0) * omega1_3 * b2 - Scalar(6.0) * omega1 * omega2_2 * b2
-      + Scalar(16.0) * omega1 * a1 * a2 + Scalar(12.0) * omega1 * a2 * a3 - lump * (Scalar(648.0) * omega1_5
-      - Scalar(156.0) * omega1_3 * omega2_2 + Scalar(6.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b2 - Scalar(4.0) * omega2 * a1 * a2
-      - lump * (-Scalar(78.0) * omega1_4 * omega2 + Scalar(12.0) * omega1_2 * omega2_3)) / denominator;
-  gradient[2] = (Scalar(8.0) * omega1_2 * a2 - Scalar(2.0) * omega2_2 * a2) / denominator;  // by a1
-  // by a2
-  gradient[3] = (Scalar(8.0) * omega1_2 * a1 + Scalar(6.0) * omega1_2 * a3
-      - Scalar(2.0) * omega2_2 * a1) / denominator;
-  gradient[4] = (Scalar(6.0) * omega1_2 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(12.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2) / denominator;  // by b2
+  lumps[23] = lump_15(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y3
+  lumps[24] = lump_16(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y2
+  lumps[25] = lump_17(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_A_y
+  lumps[26] = lump_18(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x3
 }
 
 /// jacobian[l * 15 + p] = d lumps[l] / d parameters[p]. 0 operations.
 template <class Scalar>
 void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* jacobian) {
-  Scalar lumps[27];
-  evaluate_lumps(parameters, lumps);
   for (std::size_t i = 0; i < 405; ++i) jacobian[i] = Scalar(0.0);
-  lump_gradient_0(parameters, lumps[0], jacobian + 0);  // d conservative_x_A_x2_conjA_y
+  lump_0(parameters, jacobian + 0);  // d conservative_x_A_x2_conjA_y
   jacobian[26] = Scalar(1.0);  // d mu1 / d mu1
-  lump_gradient_2(parameters, lumps[2], jacobian + 30);  // d conservative_x_A_x_A_y_conjA_y
-  lump_gradient_3(parameters, lumps[3], jacobian + 45);  // d conservative_x_A_x2_conjA_x
+  lump_1(parameters, jacobian + 30);  // d conservative_x_A_x_A_y_conjA_y
+  lump_2(parameters, jacobian + 45);  // d conservative_x_A_x2_conjA_x
   jacobian[72] = Scalar(1.0);  // d e1 / d e1
-  lump_gradient_5(parameters, lumps[5], jacobian + 75);  // d conservative_x_A_y2_conjA_y
-  lump_gradient_6(parameters, lumps[6], jacobian + 90);  // d conservative_x_A_x_A_y_conjA_x
-  lump_gradient_7(parameters, lumps[7], jacobian + 105);  // d conservative_x_A_y2_conjA_x
-  lump_gradient_8(parameters, lumps[8], jacobian + 120);  // d conservative_y_A_x2_conjA_y
-  lump_gradient_9(parameters, lumps[9], jacobian + 135);  // d conservative_y_A_x_A_y_conjA_y
-  lump_gradient_10(parameters, lumps[10], jacobian + 150);  // d conservative_y_A_x2_conjA_x
+  lump_3(parameters, jacobian + 75);  // d conservative_x_A_y2_conjA_y
+  lump_4(parameters, jacobian + 90);  // d conservative_x_A_x_A_y_conjA_x
+  lump_5(parameters, jacobian + 105);  // d conservative_x_A_y2_conjA_x
+  lump_6(parameters, jacobian + 120);  // d conservative_y_A_x2_conjA_y
+  lump_7(parameters, jacobian + 135);  // d conservative_y_A_x_A_y_conjA_y
+  lump_8(parameters, jacobian + 150);  // d conservative_y_A_x2_conjA_x
   jacobian[179] = Scalar(1.0);  // d e2 / d e2
   jacobian[193] = Scalar(1.0);  // d mu2 / d mu2
-  lump_gradient_13(parameters, lumps[13], jacobian + 195);  // d conservative_y_A_y2_conjA_y
-  lump_gradient_14(parameters, lumps[14], jacobian + 210);  // d conservative_y_A_y2_conjA_x
+  lump_9(parameters, jacobian + 195);  // d conservative_y_A_y2_conjA_y
+  lump_10(parameters, jacobian + 210);  // d conservative_y_A_y2_conjA_x
   jacobian[228] = Scalar(1.0);  // d a2 / d a2
   jacobian[244] = Scalar(1.0);  // d a3 / d a3
   jacobian[257] = Scalar(1.0);  // d a1 / d a1
-  lump_gradient_18(parameters, lumps[18], jacobian + 270);  // d harmonic_re_x_A_y3
-  lump_gradient_19(parameters, lumps[19], jacobian + 285);  // d harmonic_re_x_A_x_A_y2
-  lump_gradient_20(parameters, lumps[20], jacobian + 300);  // d harmonic_re_x_A_x2_A_y
-  lump_gradient_21(parameters, lumps[21], jacobian + 315);  // d harmonic_re_x_A_x3
+  lump_11(parameters, jacobian + 270);  // d harmonic_re_x_A_y3
+  lump_12(parameters, jacobian + 285);  // d harmonic_re_x_A_x_A_y2
+  lump_13(parameters, jacobian + 300);  // d harmonic_re_x_A_x2_A_y
+  lump_14(parameters, jacobian + 315);  // d harmonic_re_x_A_x3
   jacobian[335] = Scalar(1.0);  // d a4 / d a4
-  lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_re_y_A_y3
-  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_re_y_A_x_A_y2
-  lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_y_A_x2_A_y
-  lump_gradient_26(parameters, lumps[26], jacobian + 390);  // d harmonic_re_y_A_x3
+  lump_15(parameters, jacobian + 345);  // d harmonic_re_y_A_y3
+  lump_16(parameters, jacobian + 360);  // d harmonic_re_y_A_x_A_y2
+  lump_17(parameters, jacobian + 375);  // d harmonic_re_y_A_x2_A_y
+  lump_18(parameters, jacobian + 390);  // d harmonic_re_y_A_x3
 }
 
 /// What multiplies the 8 terms of the modulation of x: functions of the frequencies alone. 2 operations.
@@ -1593,23 +2254,23 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 2, 1, 8>{mode}, columns);
 }
 
-/// What multiplies the 4 terms of the harmonic 0 of x: functions of the frequencies alone. 12 operations.
+/// What multiplies the 4 terms of the harmonic 0 of x: functions of the frequencies alone. 10 operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = -Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 - omega2_2);
-  factor[1] = -Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 - omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  factor[0] = -Scalar(2.0) * per_0 / omega2;
+  factor[1] = -Scalar(2.0) * per_0 / omega2;
   factor[2] = -Scalar(2.0) / omega1_2;
   factor[3] = -Scalar(2.0) / omega1_2;
 }
 
 /// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in x = -2/(2*omega1*omega2 - omega2^2)*a2*conj(A_x)*A_y - 2/(2*omega1*omega2 -
-/// omega2^2)*a2*A_x*conj(A_y) - 2/omega1^2*a3*A_y*conj(A_y) - 2/omega1^2*a1*A_x*conj(A_x)
+/// amplitude of exp(i*(0)*t) in x = -2/(omega2*(2*omega1 - omega2))*a2*conj(A_x)*A_y - 2/(omega2*(2*omega1 -
+/// omega2))*a2*A_x*conj(A_y) - 2/omega1^2*a3*A_y*conj(A_y) - 2/omega1^2*a1*A_x*conj(A_x)
 /// 3 columns; per observation at most 9 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1647,22 +2308,24 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 3 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 11 operations.
+/// What multiplies the 3 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 15 operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 + omega2_2);
-  factor[1] = -Scalar(1.0) / (omega1_2 - Scalar(4.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = Scalar(2.0) * per_0 / omega2;
+  factor[1] = -per_1 * per_2;
   factor[2] = Scalar(1.0) / (Scalar(3.0) * omega1_2);
 }
 
 /// Rows of the harmonic 2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega2)*t) in x = 2/(2*omega1*omega2 + omega2^2)*a2*A_x*A_y - 1/(omega1^2 -
-/// 4*omega2^2)*a3*A_y^2 + 1/(3*omega1^2)*a1*A_x^2
+/// amplitude of exp(i*(2*omega2)*t) in x = 2/(omega2*(2*omega1 + omega2))*a2*A_x*A_y - 1/((omega1 +
+/// 2*omega2)*(omega1 - 2*omega2))*a3*A_y^2 + 1/(3*omega1^2)*a1*A_x^2
 /// 3 columns; per observation at most 9 products and sums of complex numbers.
 template <class Factors>
 void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1745,24 +2408,23 @@ inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 4 terms of the harmonic 0 of y: functions of the frequencies alone. 12 operations.
+/// What multiplies the 4 terms of the harmonic 0 of y: functions of the frequencies alone. 10 operations.
 template <class Scalar>
 void factors_5([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
   factor[0] = -Scalar(2.0) / omega2_2;
-  factor[1] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
-  factor[2] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
+  factor[1] = Scalar(2.0) * per_0 / omega1;
+  factor[2] = Scalar(2.0) * per_0 / omega1;
   factor[3] = -Scalar(2.0) / omega2_2;
 }
 
 /// Rows of the harmonic 0 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in y = -2/omega2^2*a2*A_x*conj(A_x) + 2/(omega1^2 -
-/// 2*omega1*omega2)*a3*conj(A_x)*A_y + 2/(omega1^2 - 2*omega1*omega2)*a3*A_x*conj(A_y) -
-/// 2/omega2^2*a4*A_y*conj(A_y)
+/// amplitude of exp(i*(0)*t) in y = -2/omega2^2*a2*A_x*conj(A_x) + 2/(omega1*(omega1 -
+/// 2*omega2))*a3*conj(A_x)*A_y + 2/(omega1*(omega1 - 2*omega2))*a3*A_x*conj(A_y) - 2/omega2^2*a4*A_y*conj(A_y)
 /// 3 columns; per observation at most 9 products and sums of complex numbers.
 template <class Factors>
 void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1800,22 +2462,24 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 3 terms of the harmonic 2*omega2 of y: functions of the frequencies alone. 11 operations.
+/// What multiplies the 3 terms of the harmonic 2*omega2 of y: functions of the frequencies alone. 15 operations.
 template <class Scalar>
 void factors_6([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 - omega2_2);
-  factor[1] = Scalar(2.0) / (omega1_2 + Scalar(2.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  factor[0] = per_0 * per_1;
+  factor[1] = Scalar(2.0) * per_2 / omega1;
   factor[2] = Scalar(1.0) / (Scalar(3.0) * omega2_2);
 }
 
 /// Rows of the harmonic 2*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega2)*t) in y = 1/(4*omega1^2 - omega2^2)*a2*A_x^2 + 2/(omega1^2 +
-/// 2*omega1*omega2)*a3*A_x*A_y + 1/(3*omega2^2)*a4*A_y^2
+/// amplitude of exp(i*(2*omega2)*t) in y = 1/((2*omega1 + omega2)*(2*omega1 - omega2))*a2*A_x^2 +
+/// 2/(omega1*(omega1 + 2*omega2))*a3*A_x*A_y + 1/(3*omega2^2)*a4*A_y^2
 /// 3 columns; per observation at most 9 products and sums of complex numbers.
 template <class Factors>
 void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -2024,95 +2688,24 @@ namespace one_to_two {
 /// Lumps: the parameter combinations that multiply data.
 /// lumps[0]: mu1 = mu1
 /// lumps[1]: conservative_x_A_x = -mu1^2/(2*omega1)
-/// lumps[2]: conservative_x_A_x_A_y_conjA_y = (4*omega1^5*omega2^2*b3 - 8*omega1^5*a2*a4 +
-/// 2*omega1^4*omega2^3*b3 + 4*omega1^4*omega2*a2^2 - 4*omega1^4*omega2*a2*a4 - 16*omega1^3*omega2^4*b3 -
-/// 8*omega1^3*omega2^2*a1*a3 + 2*omega1^3*omega2^2*a2^2 + 32*omega1^3*omega2^2*a2*a4 + 16*omega1^3*omega2^2*a3^2
-/// - 8*omega1^2*omega2^5*b3 - 4*omega1^2*omega2^3*a1*a3 - 15*omega1^2*omega2^3*a2^2 + 16*omega1^2*omega2^3*a2*a4
-/// + 8*omega1^2*omega2^3*a3^2 + 32*omega1*omega2^4*a1*a3 - 8*omega1*omega2^4*a2^2 + 16*omega2^5*a1*a3 -
-/// 4*omega2^5*a2^2)/(4*omega1^6*omega2^2 + 2*omega1^5*omega2^3 - 16*omega1^4*omega2^4 - 8*omega1^3*omega2^5)
 /// lumps[3]: conservative_x_A_x2_conjA_x = (18*omega1^2*omega2^2*b1 - 24*omega1^2*a2^2 - 3*omega1*omega2*a2^2 -
 /// 20*omega2^2*a1^2)/(12*omega1^3*omega2^2)
 /// lumps[4]: dissipative_x_A_y_conjA_x = a2*mu2/(2*omega1^2)
 /// lumps[5]: a2 = a2
-/// lumps[6]: conservative_x_conjA_x_F = (omega1^2*a2*e2 + 4*omega1*omega2*a1*e1 -
-/// omega2^2*a2*e2)/(8*omega1^4*omega2 - 8*omega1^2*omega2^3)
 /// lumps[7]: dissipative_y_A_x2 = (2*a2*mu1 - a2*mu2)/(4*omega2^2)
 /// lumps[8]: mu2 = mu2
 /// lumps[9]: conservative_y_A_y = -mu2^2/(2*omega2)
-/// lumps[10]: conservative_y_A_y2_conjA_y = (9*omega1^4*omega2^2*b5 - 10*omega1^4*a4^2 - 36*omega1^2*omega2^4*b5
-/// - 18*omega1^2*omega2^2*a3^2 + 40*omega1^2*omega2^2*a4^2 + 48*omega2^4*a3^2)/(6*omega1^4*omega2^3 -
-/// 24*omega1^2*omega2^5)
-/// lumps[11]: conservative_y_A_x_A_y_conjA_x = (4*omega1^5*omega2^2*b3 - 8*omega1^5*a2*a4 +
-/// 2*omega1^4*omega2^3*b3 + 2*omega1^4*omega2*a2^2 - 4*omega1^4*omega2*a2*a4 - 16*omega1^3*omega2^4*b3 -
-/// 8*omega1^3*omega2^2*a1*a3 - omega1^3*omega2^2*a2^2 + 32*omega1^3*omega2^2*a2*a4 + 16*omega1^3*omega2^2*a3^2 -
-/// 8*omega1^2*omega2^5*b3 - 4*omega1^2*omega2^3*a1*a3 - 8*omega1^2*omega2^3*a2^2 + 16*omega1^2*omega2^3*a2*a4 +
-/// 8*omega1^2*omega2^3*a3^2 + 32*omega1*omega2^4*a1*a3 + 4*omega1*omega2^4*a2^2 +
-/// 16*omega2^5*a1*a3)/(4*omega1^5*omega2^3 + 2*omega1^4*omega2^4 - 16*omega1^3*omega2^5 - 8*omega1^2*omega2^6)
 /// lumps[12]: dissipative_y_F = mu2*e2/(8*omega2^2)
 /// lumps[13]: e2 = e2
 /// lumps[14]: a3 = a3
 /// lumps[15]: a1 = a1
-/// lumps[16]: harmonic_re_x_A_y_conjA_x2 = (9*omega1^3*b2 - 18*omega1^2*omega2*b2 + 2*omega1*a1*a2 +
-/// 12*omega1*a2*a3 - 4*omega2*a1*a2)/(9*omega1^5 - 30*omega1^4*omega2 + 27*omega1^3*omega2^2 -
-/// 6*omega1^2*omega2^3)
-/// lumps[17]: harmonic_re_x_conjA_y_F = -a2*e1/(omega1^4 - omega1^2*omega2^2)
 /// lumps[18]: e1 = e1
-/// lumps[19]: harmonic_im_x_F = -omega2*mu1*e1/(omega1^4 - 2*omega1^2*omega2^2 + omega2^4)
-/// lumps[20]: harmonic_re_x_A_y2_conjA_y = (-9*omega1^4*omega2^2*b4 + 10*omega1^4*a3*a4 +
-/// 36*omega1^2*omega2^4*b4 + 18*omega1^2*omega2^2*a2*a3 - 40*omega1^2*omega2^2*a3*a4 -
-/// 48*omega2^4*a2*a3)/(3*omega1^6*omega2^2 - 15*omega1^4*omega2^4 + 12*omega1^2*omega2^6)
-/// lumps[21]: harmonic_re_x_A_x_A_y_conjA_x = (-12*omega1^5*omega2^2*b2 + 8*omega1^5*a2*a3 -
-/// 6*omega1^4*omega2^3*b2 - 4*omega1^4*omega2*a1*a2 + 4*omega1^4*omega2*a2*a3 + 48*omega1^3*omega2^4*b2 +
-/// 8*omega1^3*omega2^2*a1*a2 - 48*omega1^3*omega2^2*a2*a3 + 24*omega1^2*omega2^5*b2 + 20*omega1^2*omega2^3*a1*a2
-/// - 24*omega1^2*omega2^3*a2*a3 - 32*omega1*omega2^4*a1*a2 - 16*omega2^5*a1*a2)/(2*omega1^7*omega2^2 +
-/// omega1^6*omega2^3 - 10*omega1^5*omega2^4 - 5*omega1^4*omega2^5 + 8*omega1^3*omega2^6 + 4*omega1^2*omega2^7)
 /// lumps[22]: harmonic_im_x_A_x2 = -4*a1*mu1/(9*omega1^3)
-/// lumps[23]: harmonic_re_x_A_x2_A_y = -4*a2*a3/(omega1^4 - 8*omega1^2*omega2^2 + 16*omega2^4)
-/// lumps[24]: harmonic_im_x_A_y2 = (4*omega2*a3*mu1 - 8*omega2*a3*mu2)/(omega1^4 - 8*omega1^2*omega2^2 +
-/// 16*omega2^4)
-/// lumps[25]: harmonic_re_x_A_y_F = 2*a3*e2/(omega1^4 - 8*omega1^2*omega2^2 + 16*omega2^4)
-/// lumps[26]: harmonic_re_x_A_y2_conjA_x = (-3*omega1^3*omega2^2*b3 - 2*omega1^3*a2*a4 + 12*omega1*omega2^4*b3 +
-/// 6*omega1*omega2^2*a1*a3 + 8*omega1*omega2^2*a2*a4 - 12*omega1*omega2^2*a3^2 -
-/// 24*omega2^3*a3^2)/(12*omega1^4*omega2^3 - 12*omega1^3*omega2^4 - 48*omega1^2*omega2^5 + 48*omega1*omega2^6)
-/// lumps[27]: harmonic_re_x_A_x_F = a1*e1/(2*omega1^3*omega2 + omega1^2*omega2^2 - 2*omega1*omega2^3 - omega2^4)
-/// lumps[28]: harmonic_re_x_A_x3 = (-2*omega1*a2^2 - 2*omega2*a2^2)/(4*omega1^2*omega2^3 + 4*omega1*omega2^4 +
-/// omega2^5)
-/// lumps[29]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
-/// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
-/// lumps[30]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
-/// 12*omega1^3*omega2*a2^2 + 2*omega1^3*omega2*a2*a4 - 24*omega1^2*omega2^4*b3 - 12*omega1^2*omega2^2*a1*a3 -
-/// 16*omega1^2*omega2^2*a2*a4 + 24*omega1^2*omega2^2*a3^2 - 12*omega1*omega2^5*b3 - 6*omega1*omega2^3*a1*a3 -
-/// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 -
-/// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 + 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 - 144*omega1^2*omega2^6
-/// - 48*omega1*omega2^7)
-/// lumps[31]: harmonic_im_y_A_y_conjA_x = (4*omega1*a3*mu1 - 4*omega2*a3*mu1)/(omega1^4 - 4*omega1^3*omega2 +
-/// 4*omega1^2*omega2^2)
-/// lumps[32]: harmonic_re_y_A_x_A_y_conjA_y = (12*omega1^5*omega2^2*b4 - 8*omega1^5*a3*a4 +
-/// 6*omega1^4*omega2^3*b4 + 4*omega1^4*omega2*a2*a3 - 4*omega1^4*omega2*a3*a4 - 48*omega1^3*omega2^4*b4 -
-/// 8*omega1^3*omega2^2*a2*a3 + 48*omega1^3*omega2^2*a3*a4 - 24*omega1^2*omega2^5*b4 - 20*omega1^2*omega2^3*a2*a3
-/// + 24*omega1^2*omega2^3*a3*a4 + 32*omega1*omega2^4*a2*a3 + 16*omega2^5*a2*a3)/(2*omega1^7*omega2^2 +
-/// omega1^6*omega2^3 - 10*omega1^5*omega2^4 - 5*omega1^4*omega2^5 + 8*omega1^3*omega2^6 + 4*omega1^2*omega2^7)
-/// lumps[33]: harmonic_re_y_A_x2_conjA_x = (9*omega1^2*omega2^2*b2 - 12*omega1^2*a2*a3 -
-/// 10*omega2^2*a1*a2)/(3*omega1^4*omega2^2 - 3*omega1^2*omega2^4)
 /// lumps[34]: a4 = a4
-/// lumps[35]: harmonic_re_y_A_y_conjA_x2 = (3*omega1^3*b3 - 6*omega1^2*omega2*b3 + 2*omega1*a1*a3 +
-/// 12*omega1*a3^2 - 4*omega2*a1*a3)/(12*omega1^5 - 36*omega1^4*omega2 + 24*omega1^3*omega2^2)
-/// lumps[36]: harmonic_re_y_conjA_y_F = -a3*e1/(omega1^2*omega2^2 - omega2^4)
 /// lumps[37]: harmonic_re_y_A_x2_A_y = -4*a2*a4/(9*omega2^4)
 /// lumps[38]: harmonic_im_y_A_y2 = -4*a4*mu2/(9*omega2^3)
 /// lumps[39]: harmonic_re_y_A_y_F = 2*a4*e2/(9*omega2^4)
-/// lumps[40]: harmonic_re_y_A_y2_conjA_x = (9*omega1^3*omega2^2*b4 + 2*omega1^3*a3*a4 - 36*omega1*omega2^4*b4 -
-/// 6*omega1*omega2^2*a2*a3 + 4*omega1*omega2^2*a3*a4 + 24*omega2^3*a3*a4)/(3*omega1^5*omega2^2 -
-/// 12*omega1^4*omega2^3 - 3*omega1^3*omega2^4 + 48*omega1^2*omega2^5 - 36*omega1*omega2^6)
-/// lumps[41]: harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(27*omega1^4 - 3*omega1^2*omega2^2)
-/// lumps[42]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
-/// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
-/// lumps[43]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
-/// 12*omega1^3*omega2*a2*a3 + 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 - 36*omega1*omega2^5*b4 - 54*omega1*omega2^3*a2*a3 - 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 + 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 - 99*omega1^3*omega2^5 -
-/// 120*omega1^2*omega2^6 - 36*omega1*omega2^7)
-/// 891 operations.
+/// 48 operations.
 template <class Scalar>
 void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
   const Scalar omega1 = parameters[0];
@@ -2122,1185 +2715,66 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
   const Scalar a3 = parameters[4];
   const Scalar a4 = parameters[5];
   const Scalar b1 = parameters[6];
-  const Scalar b2 = parameters[7];
-  const Scalar b3 = parameters[8];
-  const Scalar b4 = parameters[9];
-  const Scalar b5 = parameters[10];
   const Scalar mu1 = parameters[11];
   const Scalar e1 = parameters[12];
   const Scalar mu2 = parameters[13];
   const Scalar e2 = parameters[14];
   const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
   const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
   const Scalar a1_2 = a1 * a1;
   const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
   const Scalar mu1_2 = mu1 * mu1;
   const Scalar mu2_2 = mu2 * mu2;
   lumps[0] = mu1;  // mu1
   lumps[1] = -mu1_2 / (Scalar(2.0) * omega1);  // conservative_x_A_x
-  // conservative_x_A_x_A_y_conjA_y
-  lumps[2] = (Scalar(4.0) * omega1_5 * omega2_2 * b3 - Scalar(8.0) * omega1_5 * a2 * a4
-      + Scalar(2.0) * omega1_4 * omega2_3 * b3 + Scalar(4.0) * omega1_4 * omega2 * a2_2
-      - Scalar(4.0) * omega1_4 * omega2 * a2 * a4 - Scalar(16.0) * omega1_3 * omega2_4 * b3
-      - Scalar(8.0) * omega1_3 * omega2_2 * a1 * a3 + Scalar(2.0) * omega1_3 * omega2_2 * a2_2
-      + Scalar(32.0) * omega1_3 * omega2_2 * a2 * a4 + Scalar(16.0) * omega1_3 * omega2_2 * a3_2
-      - Scalar(8.0) * omega1_2 * omega2_5 * b3 - Scalar(4.0) * omega1_2 * omega2_3 * a1 * a3
-      - Scalar(15.0) * omega1_2 * omega2_3 * a2_2 + Scalar(16.0) * omega1_2 * omega2_3 * a2 * a4
-      + Scalar(8.0) * omega1_2 * omega2_3 * a3_2 + Scalar(32.0) * omega1 * omega2_4 * a1 * a3
-      - Scalar(8.0) * omega1 * omega2_4 * a2_2 + Scalar(16.0) * omega2_5 * a1 * a3
-      - Scalar(4.0) * omega2_5 * a2_2) / (Scalar(4.0) * omega1_6 * omega2_2 + Scalar(2.0) * omega1_5 * omega2_3
-      - Scalar(16.0) * omega1_4 * omega2_4 - Scalar(8.0) * omega1_3 * omega2_5);
+  lumps[2] = lump_19(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_A_y_conjA_y
   // conservative_x_A_x2_conjA_x
   lumps[3] = (Scalar(18.0) * omega1_2 * omega2_2 * b1 - Scalar(24.0) * omega1_2 * a2_2
       - Scalar(3.0) * omega1 * omega2 * a2_2
       - Scalar(20.0) * omega2_2 * a1_2) / (Scalar(12.0) * omega1_3 * omega2_2);
   lumps[4] = a2 * mu2 / (Scalar(2.0) * omega1_2);  // dissipative_x_A_y_conjA_x
   lumps[5] = a2;  // a2
-  // conservative_x_conjA_x_F
-  lumps[6] = (omega1_2 * a2 * e2 + Scalar(4.0) * omega1 * omega2 * a1 * e1
-      - omega2_2 * a2 * e2) / (Scalar(8.0) * omega1_4 * omega2 - Scalar(8.0) * omega1_2 * omega2_3);
+  lumps[6] = lump_20(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_conjA_x_F
   lumps[7] = (Scalar(2.0) * a2 * mu1 - a2 * mu2) / (Scalar(4.0) * omega2_2);  // dissipative_y_A_x2
   lumps[8] = mu2;  // mu2
   lumps[9] = -mu2_2 / (Scalar(2.0) * omega2);  // conservative_y_A_y
-  // conservative_y_A_y2_conjA_y
-  lumps[10] = (Scalar(9.0) * omega1_4 * omega2_2 * b5 - Scalar(10.0) * omega1_4 * a4_2
-      - Scalar(36.0) * omega1_2 * omega2_4 * b5 - Scalar(18.0) * omega1_2 * omega2_2 * a3_2
-      + Scalar(40.0) * omega1_2 * omega2_2 * a4_2
-      + Scalar(48.0) * omega2_4 * a3_2) / (Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_5);
-  // conservative_y_A_x_A_y_conjA_x
-  lumps[11] = (Scalar(4.0) * omega1_5 * omega2_2 * b3 - Scalar(8.0) * omega1_5 * a2 * a4
-      + Scalar(2.0) * omega1_4 * omega2_3 * b3 + Scalar(2.0) * omega1_4 * omega2 * a2_2
-      - Scalar(4.0) * omega1_4 * omega2 * a2 * a4 - Scalar(16.0) * omega1_3 * omega2_4 * b3
-      - Scalar(8.0) * omega1_3 * omega2_2 * a1 * a3 - omega1_3 * omega2_2 * a2_2
-      + Scalar(32.0) * omega1_3 * omega2_2 * a2 * a4 + Scalar(16.0) * omega1_3 * omega2_2 * a3_2
-      - Scalar(8.0) * omega1_2 * omega2_5 * b3 - Scalar(4.0) * omega1_2 * omega2_3 * a1 * a3
-      - Scalar(8.0) * omega1_2 * omega2_3 * a2_2 + Scalar(16.0) * omega1_2 * omega2_3 * a2 * a4
-      + Scalar(8.0) * omega1_2 * omega2_3 * a3_2 + Scalar(32.0) * omega1 * omega2_4 * a1 * a3
-      + Scalar(4.0) * omega1 * omega2_4 * a2_2
-      + Scalar(16.0) * omega2_5 * a1 * a3) / (Scalar(4.0) * omega1_5 * omega2_3
-      + Scalar(2.0) * omega1_4 * omega2_4 - Scalar(16.0) * omega1_3 * omega2_5
-      - Scalar(8.0) * omega1_2 * omega2_6);
+  lumps[10] = lump_9(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_y2_conjA_y
+  lumps[11] = lump_21(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x_A_y_conjA_x
   lumps[12] = mu2 * e2 / (Scalar(8.0) * omega2_2);  // dissipative_y_F
   lumps[13] = e2;  // e2
   lumps[14] = a3;  // a3
   lumps[15] = a1;  // a1
-  // harmonic_re_x_A_y_conjA_x2
-  lumps[16] = (Scalar(9.0) * omega1_3 * b2 - Scalar(18.0) * omega1_2 * omega2 * b2
-      + Scalar(2.0) * omega1 * a1 * a2 + Scalar(12.0) * omega1 * a2 * a3
-      - Scalar(4.0) * omega2 * a1 * a2) / (Scalar(9.0) * omega1_5 - Scalar(30.0) * omega1_4 * omega2
-      + Scalar(27.0) * omega1_3 * omega2_2 - Scalar(6.0) * omega1_2 * omega2_3);
-  lumps[17] = -a2 * e1 / (omega1_4 - omega1_2 * omega2_2);  // harmonic_re_x_conjA_y_F
+  lumps[16] = lump_22(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y_conjA_x2
+  lumps[17] = lump_23(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_conjA_y_F
   lumps[18] = e1;  // e1
-  lumps[19] = -omega2 * mu1 * e1 / (omega1_4 - Scalar(2.0) * omega1_2 * omega2_2 + omega2_4);  // harmonic_im_x_F
-  // harmonic_re_x_A_y2_conjA_y
-  lumps[20] = (-Scalar(9.0) * omega1_4 * omega2_2 * b4 + Scalar(10.0) * omega1_4 * a3 * a4
-      + Scalar(36.0) * omega1_2 * omega2_4 * b4 + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
-      - Scalar(40.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(48.0) * omega2_4 * a2 * a3) / (Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(12.0) * omega1_2 * omega2_6);
-  // harmonic_re_x_A_x_A_y_conjA_x
-  lumps[21] = (-Scalar(12.0) * omega1_5 * omega2_2 * b2 + Scalar(8.0) * omega1_5 * a2 * a3
-      - Scalar(6.0) * omega1_4 * omega2_3 * b2 - Scalar(4.0) * omega1_4 * omega2 * a1 * a2
-      + Scalar(4.0) * omega1_4 * omega2 * a2 * a3 + Scalar(48.0) * omega1_3 * omega2_4 * b2
-      + Scalar(8.0) * omega1_3 * omega2_2 * a1 * a2 - Scalar(48.0) * omega1_3 * omega2_2 * a2 * a3
-      + Scalar(24.0) * omega1_2 * omega2_5 * b2 + Scalar(20.0) * omega1_2 * omega2_3 * a1 * a2
-      - Scalar(24.0) * omega1_2 * omega2_3 * a2 * a3 - Scalar(32.0) * omega1 * omega2_4 * a1 * a2
-      - Scalar(16.0) * omega2_5 * a1 * a2) / (Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7);
+  lumps[19] = lump_24(parameters, static_cast<Scalar*>(nullptr));  // harmonic_im_x_F
+  lumps[20] = lump_25(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_y
+  lumps[21] = lump_26(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y_conjA_x
   lumps[22] = -Scalar(4.0) * a1 * mu1 / (Scalar(9.0) * omega1_3);  // harmonic_im_x_A_x2
-  // harmonic_re_x_A_x2_A_y
-  lumps[23] = -Scalar(4.0) * a2 * a3 / (omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
-  // harmonic_im_x_A_y2
-  lumps[24] = (Scalar(4.0) * omega2 * a3 * mu1 - Scalar(8.0) * omega2 * a3 * mu2) / (omega1_4
-      - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
-  // harmonic_re_x_A_y_F
-  lumps[25] = Scalar(2.0) * a3 * e2 / (omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
-  // harmonic_re_x_A_y2_conjA_x
-  lumps[26] = (-Scalar(3.0) * omega1_3 * omega2_2 * b3 - Scalar(2.0) * omega1_3 * a2 * a4
-      + Scalar(12.0) * omega1 * omega2_4 * b3 + Scalar(6.0) * omega1 * omega2_2 * a1 * a3
-      + Scalar(8.0) * omega1 * omega2_2 * a2 * a4 - Scalar(12.0) * omega1 * omega2_2 * a3_2
-      - Scalar(24.0) * omega2_3 * a3_2) / (Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6);
-  // harmonic_re_x_A_x_F
-  lumps[27] = a1 * e1 / (Scalar(2.0) * omega1_3 * omega2 + omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3
-      - omega2_4);
-  // harmonic_re_x_A_x3
-  lumps[28] = (-Scalar(2.0) * omega1 * a2_2 - Scalar(2.0) * omega2 * a2_2) / (Scalar(4.0) * omega1_2 * omega2_3
-      + Scalar(4.0) * omega1 * omega2_4 + omega2_5);
-  // harmonic_re_x_A_y3
-  lumps[29] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
-      + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
-      + Scalar(8.0) * omega2_2 * a3 * a4) / (Scalar(3.0) * omega1_4 * omega2_2
-      - Scalar(39.0) * omega1_2 * omega2_4 + Scalar(108.0) * omega2_6);
-  // harmonic_re_x_A_x_A_y2
-  lumps[30] = (Scalar(6.0) * omega1_4 * omega2_2 * b3 + Scalar(4.0) * omega1_4 * a2 * a4
-      + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
-      + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 - Scalar(24.0) * omega1_2 * omega2_4 * b3
-      - Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 - Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
-      + Scalar(24.0) * omega1_2 * omega2_2 * a3_2 - Scalar(12.0) * omega1 * omega2_5 * b3
-      - Scalar(6.0) * omega1 * omega2_3 * a1 * a3 - Scalar(48.0) * omega1 * omega2_3 * a2_2
-      - Scalar(8.0) * omega1 * omega2_3 * a2 * a4 - Scalar(36.0) * omega1 * omega2_3 * a3_2
-      - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7);
-  // harmonic_im_y_A_y_conjA_x
-  lumps[31] = (Scalar(4.0) * omega1 * a3 * mu1 - Scalar(4.0) * omega2 * a3 * mu1) / (omega1_4
-      - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_x_A_y_conjA_y
-  lumps[32] = (Scalar(12.0) * omega1_5 * omega2_2 * b4 - Scalar(8.0) * omega1_5 * a3 * a4
-      + Scalar(6.0) * omega1_4 * omega2_3 * b4 + Scalar(4.0) * omega1_4 * omega2 * a2 * a3
-      - Scalar(4.0) * omega1_4 * omega2 * a3 * a4 - Scalar(48.0) * omega1_3 * omega2_4 * b4
-      - Scalar(8.0) * omega1_3 * omega2_2 * a2 * a3 + Scalar(48.0) * omega1_3 * omega2_2 * a3 * a4
-      - Scalar(24.0) * omega1_2 * omega2_5 * b4 - Scalar(20.0) * omega1_2 * omega2_3 * a2 * a3
-      + Scalar(24.0) * omega1_2 * omega2_3 * a3 * a4 + Scalar(32.0) * omega1 * omega2_4 * a2 * a3
-      + Scalar(16.0) * omega2_5 * a2 * a3) / (Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7);
-  // harmonic_re_y_A_x2_conjA_x
-  lumps[33] = (Scalar(9.0) * omega1_2 * omega2_2 * b2 - Scalar(12.0) * omega1_2 * a2 * a3
-      - Scalar(10.0) * omega2_2 * a1 * a2) / (Scalar(3.0) * omega1_4 * omega2_2
-      - Scalar(3.0) * omega1_2 * omega2_4);
+  lumps[23] = lump_27(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x2_A_y
+  lumps[24] = lump_28(parameters, static_cast<Scalar*>(nullptr));  // harmonic_im_x_A_y2
+  lumps[25] = lump_29(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y_F
+  lumps[26] = lump_30(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_x
+  lumps[27] = lump_31(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_F
+  lumps[28] = lump_32(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x3
+  lumps[29] = lump_11(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y3
+  lumps[30] = lump_12(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y2
+  lumps[31] = lump_33(parameters, static_cast<Scalar*>(nullptr));  // harmonic_im_y_A_y_conjA_x
+  lumps[32] = lump_34(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y_conjA_y
+  lumps[33] = lump_35(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_conjA_x
   lumps[34] = a4;  // a4
-  // harmonic_re_y_A_y_conjA_x2
-  lumps[35] = (Scalar(3.0) * omega1_3 * b3 - Scalar(6.0) * omega1_2 * omega2 * b3 + Scalar(2.0) * omega1 * a1 * a3
-      + Scalar(12.0) * omega1 * a3_2 - Scalar(4.0) * omega2 * a1 * a3) / (Scalar(12.0) * omega1_5
-      - Scalar(36.0) * omega1_4 * omega2 + Scalar(24.0) * omega1_3 * omega2_2);
-  lumps[36] = -a3 * e1 / (omega1_2 * omega2_2 - omega2_4);  // harmonic_re_y_conjA_y_F
+  lumps[35] = lump_36(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y_conjA_x2
+  lumps[36] = lump_37(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_conjA_y_F
   lumps[37] = -Scalar(4.0) * a2 * a4 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_x2_A_y
   lumps[38] = -Scalar(4.0) * a4 * mu2 / (Scalar(9.0) * omega2_3);  // harmonic_im_y_A_y2
   lumps[39] = Scalar(2.0) * a4 * e2 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_y_F
-  // harmonic_re_y_A_y2_conjA_x
-  lumps[40] = (Scalar(9.0) * omega1_3 * omega2_2 * b4 + Scalar(2.0) * omega1_3 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_4 * b4 - Scalar(6.0) * omega1 * omega2_2 * a2 * a3
-      + Scalar(4.0) * omega1 * omega2_2 * a3 * a4
-      + Scalar(24.0) * omega2_3 * a3 * a4) / (Scalar(3.0) * omega1_5 * omega2_2
-      - Scalar(12.0) * omega1_4 * omega2_3 - Scalar(3.0) * omega1_3 * omega2_4
-      + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6);
-  // harmonic_re_y_A_x3
-  lumps[41] = (Scalar(3.0) * omega1_2 * b2 + Scalar(2.0) * a1 * a2) / (Scalar(27.0) * omega1_4
-      - Scalar(3.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_y3
-  lumps[42] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
-      - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
-      - Scalar(8.0) * omega2_2 * a4_2) / (Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6);
-  // harmonic_re_y_A_x_A_y2
-  lumps[43] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
-      + Scalar(9.0) * omega1_3 * omega2_3 * b4 + Scalar(12.0) * omega1_3 * omega2 * a2 * a3
-      + Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_5 * b4 - Scalar(54.0) * omega1 * omega2_3 * a2 * a3
-      - Scalar(44.0) * omega1 * omega2_3 * a3 * a4
-      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(6.0) * omega1_6 * omega2_2
-      + Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
-      - Scalar(36.0) * omega1 * omega2_7);
-}
-
-/// gradient[p] = d conservative_x_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 150 operations.
-template <class Scalar>
-void lump_gradient_2(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(4.0) * omega1_6 * omega2_2 + Scalar(2.0) * omega1_5 * omega2_3
-      - Scalar(16.0) * omega1_4 * omega2_4 - Scalar(8.0) * omega1_3 * omega2_5;
-  // multiplies a1*a3
-  const Scalar c_0 = -Scalar(8.0) * omega1_3 * omega2_2 - Scalar(4.0) * omega1_2 * omega2_3
-      + Scalar(32.0) * omega1 * omega2_4 + Scalar(16.0) * omega2_5;
-  // multiplies a2^2
-  const Scalar c_1 = Scalar(4.0) * omega1_4 * omega2 + Scalar(2.0) * omega1_3 * omega2_2
-      - Scalar(15.0) * omega1_2 * omega2_3 - Scalar(8.0) * omega1 * omega2_4 - Scalar(4.0) * omega2_5;
-  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(8.0) * omega1_5 - Scalar(4.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2 + Scalar(16.0) * omega1_2 * omega2_3;
-  const Scalar c_3 = Scalar(16.0) * omega1_3 * omega2_2 + Scalar(8.0) * omega1_2 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(4.0) * omega1_5 * omega2_2 + Scalar(2.0) * omega1_4 * omega2_3
-      - Scalar(16.0) * omega1_3 * omega2_4 - Scalar(8.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = Scalar(4.0) * b3;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a2 * a4;  // multiplies omega1^5
-  const Scalar w_2 = Scalar(2.0) * b3;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = Scalar(4.0) * a2_2 - Scalar(4.0) * a2 * a4;  // multiplies omega1^4*omega2
-  const Scalar w_4 = -Scalar(16.0) * b3;  // multiplies omega1^3*omega2^4
-  // multiplies omega1^3*omega2^2
-  const Scalar w_5 = -Scalar(8.0) * a1 * a3 + Scalar(2.0) * a2_2 + Scalar(32.0) * a2 * a4 + Scalar(16.0) * a3_2;
-  const Scalar w_6 = -Scalar(8.0) * b3;  // multiplies omega1^2*omega2^5
-  // multiplies omega1^2*omega2^3
-  const Scalar w_7 = -Scalar(4.0) * a1 * a3 - Scalar(15.0) * a2_2 + Scalar(16.0) * a2 * a4 + Scalar(8.0) * a3_2;
-  const Scalar w_8 = Scalar(32.0) * a1 * a3 - Scalar(8.0) * a2_2;  // multiplies omega1*omega2^4
-  const Scalar w_9 = Scalar(16.0) * a1 * a3 - Scalar(4.0) * a2_2;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(24.0) * omega1_5 * omega2_2 + Scalar(10.0) * omega1_4 * omega2_3
-      - Scalar(64.0) * omega1_3 * omega2_4 - Scalar(24.0) * omega1_2 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(8.0) * omega1_6 * omega2 + Scalar(6.0) * omega1_5 * omega2_2
-      - Scalar(64.0) * omega1_4 * omega2_3 - Scalar(40.0) * omega1_3 * omega2_4)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d conservative_x_conjA_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 40 operations.
-template <class Scalar>
-void lump_gradient_6(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar e1 = parameters[12];
-  const Scalar e2 = parameters[14];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar denominator = Scalar(8.0) * omega1_4 * omega2 - Scalar(8.0) * omega1_2 * omega2_3;
-  // by omega1
-  gradient[0] = (Scalar(2.0) * omega1 * a2 * e2 + Scalar(4.0) * omega2 * a1 * e1
-      - lump * (Scalar(32.0) * omega1_3 * omega2 - Scalar(16.0) * omega1 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(4.0) * omega1 * a1 * e1 - Scalar(2.0) * omega2 * a2 * e2 - lump * (Scalar(8.0) * omega1_4
-      - Scalar(24.0) * omega1_2 * omega2_2)) / denominator;
-  gradient[2] = (Scalar(4.0) * omega1 * omega2 * e1) / denominator;  // by a1
-  gradient[3] = (omega1_2 * e2 - omega2_2 * e2) / denominator;  // by a2
-  gradient[12] = (Scalar(4.0) * omega1 * omega2 * a1) / denominator;  // by e1
-  gradient[14] = (omega1_2 * a2 - omega2_2 * a2) / denominator;  // by e2
-}
-
-/// gradient[p] = d conservative_y_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_10(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(6.0) * omega1_4 * omega2_3 - Scalar(24.0) * omega1_2 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(36.0) * omega1_3 * omega2_2 * b5 - Scalar(40.0) * omega1_3 * a4_2
-      - Scalar(72.0) * omega1 * omega2_4 * b5 - Scalar(36.0) * omega1 * omega2_2 * a3_2
-      + Scalar(80.0) * omega1 * omega2_2 * a4_2 - lump * (Scalar(24.0) * omega1_3 * omega2_3
-      - Scalar(48.0) * omega1 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_4 * omega2 * b5 - Scalar(144.0) * omega1_2 * omega2_3 * b5
-      - Scalar(36.0) * omega1_2 * omega2 * a3_2 + Scalar(80.0) * omega1_2 * omega2 * a4_2
-      + Scalar(192.0) * omega2_3 * a3_2 - lump * (Scalar(18.0) * omega1_4 * omega2_2
-      - Scalar(120.0) * omega1_2 * omega2_4)) / denominator;
-  gradient[4] = (-Scalar(36.0) * omega1_2 * omega2_2 * a3 + Scalar(96.0) * omega2_4 * a3) / denominator;  // by a3
-  gradient[5] = (-Scalar(20.0) * omega1_4 * a4 + Scalar(80.0) * omega1_2 * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(9.0) * omega1_4 * omega2_2 - Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d conservative_y_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 144 operations.
-template <class Scalar>
-void lump_gradient_11(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(4.0) * omega1_5 * omega2_3 + Scalar(2.0) * omega1_4 * omega2_4
-      - Scalar(16.0) * omega1_3 * omega2_5 - Scalar(8.0) * omega1_2 * omega2_6;
-  // multiplies a1*a3
-  const Scalar c_0 = -Scalar(8.0) * omega1_3 * omega2_2 - Scalar(4.0) * omega1_2 * omega2_3
-      + Scalar(32.0) * omega1 * omega2_4 + Scalar(16.0) * omega2_5;
-  // multiplies a2^2
-  const Scalar c_1 = Scalar(2.0) * omega1_4 * omega2 - omega1_3 * omega2_2 - Scalar(8.0) * omega1_2 * omega2_3
-      + Scalar(4.0) * omega1 * omega2_4;
-  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(8.0) * omega1_5 - Scalar(4.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2 + Scalar(16.0) * omega1_2 * omega2_3;
-  const Scalar c_3 = Scalar(16.0) * omega1_3 * omega2_2 + Scalar(8.0) * omega1_2 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(4.0) * omega1_5 * omega2_2 + Scalar(2.0) * omega1_4 * omega2_3
-      - Scalar(16.0) * omega1_3 * omega2_4 - Scalar(8.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = Scalar(4.0) * b3;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a2 * a4;  // multiplies omega1^5
-  const Scalar w_2 = Scalar(2.0) * b3;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = Scalar(2.0) * a2_2 - Scalar(4.0) * a2 * a4;  // multiplies omega1^4*omega2
-  const Scalar w_4 = -Scalar(16.0) * b3;  // multiplies omega1^3*omega2^4
-  // multiplies omega1^3*omega2^2
-  const Scalar w_5 = -Scalar(8.0) * a1 * a3 - a2_2 + Scalar(32.0) * a2 * a4 + Scalar(16.0) * a3_2;
-  const Scalar w_6 = -Scalar(8.0) * b3;  // multiplies omega1^2*omega2^5
-  // multiplies omega1^2*omega2^3
-  const Scalar w_7 = -Scalar(4.0) * a1 * a3 - Scalar(8.0) * a2_2 + Scalar(16.0) * a2 * a4 + Scalar(8.0) * a3_2;
-  const Scalar w_8 = Scalar(32.0) * a1 * a3 + Scalar(4.0) * a2_2;  // multiplies omega1*omega2^4
-  const Scalar w_9 = Scalar(16.0) * a1 * a3;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(20.0) * omega1_4 * omega2_3 + Scalar(8.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 - Scalar(16.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(12.0) * omega1_5 * omega2_2 + Scalar(8.0) * omega1_4 * omega2_3
-      - Scalar(80.0) * omega1_3 * omega2_4 - Scalar(48.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_x_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 63 operations.
-template <class Scalar>
-void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar denominator = Scalar(9.0) * omega1_5 - Scalar(30.0) * omega1_4 * omega2
-      + Scalar(27.0) * omega1_3 * omega2_2 - Scalar(6.0) * omega1_2 * omega2_3;
-  // by omega1
-  gradient[0] = (Scalar(27.0) * omega1_2 * b2 - Scalar(36.0) * omega1 * omega2 * b2 + Scalar(2.0) * a1 * a2
-      + Scalar(12.0) * a2 * a3 - lump * (Scalar(45.0) * omega1_4 - Scalar(120.0) * omega1_3 * omega2
-      + Scalar(81.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega1 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(18.0) * omega1_2 * b2 - Scalar(4.0) * a1 * a2 - lump * (-Scalar(30.0) * omega1_4
-      + Scalar(54.0) * omega1_3 * omega2 - Scalar(18.0) * omega1_2 * omega2_2)) / denominator;
-  gradient[2] = (Scalar(2.0) * omega1 * a2 - Scalar(4.0) * omega2 * a2) / denominator;  // by a1
-  // by a2
-  gradient[3] = (Scalar(2.0) * omega1 * a1 + Scalar(12.0) * omega1 * a3
-      - Scalar(4.0) * omega2 * a1) / denominator;
-  gradient[4] = (Scalar(12.0) * omega1 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(9.0) * omega1_3 - Scalar(18.0) * omega1_2 * omega2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 8 operations.
-template <class Scalar>
-void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar e1 = parameters[12];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = omega1_4 - omega1_2 * omega2_2;
-  gradient[0] = (-lump * (Scalar(4.0) * omega1_3 - Scalar(2.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  gradient[1] = (-lump * (-Scalar(2.0) * omega1_2 * omega2)) / denominator;  // by omega2
-  gradient[3] = (-e1) / denominator;  // by a2
-  gradient[12] = (-a2) / denominator;  // by e1
-}
-
-/// gradient[p] = d harmonic_im_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_19(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar mu1 = parameters[11];
-  const Scalar e1 = parameters[12];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(2.0) * omega1_2 * omega2_2 + omega2_4;
-  gradient[0] = (-lump * (Scalar(4.0) * omega1_3 - Scalar(4.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  // by omega2
-  gradient[1] = (-mu1 * e1 - lump * (-Scalar(4.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3)) / denominator;
-  gradient[11] = (-omega2 * e1) / denominator;  // by mu1
-  gradient[12] = (-omega2 * mu1) / denominator;  // by e1
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 96 operations.
-template <class Scalar>
-void lump_gradient_20(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(36.0) * omega1_3 * omega2_2 * b4 + Scalar(40.0) * omega1_3 * a3 * a4
-      + Scalar(72.0) * omega1 * omega2_4 * b4 + Scalar(36.0) * omega1 * omega2_2 * a2 * a3
-      - Scalar(80.0) * omega1 * omega2_2 * a3 * a4 - lump * (Scalar(18.0) * omega1_5 * omega2_2
-      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(18.0) * omega1_4 * omega2 * b4 + Scalar(144.0) * omega1_2 * omega2_3 * b4
-      + Scalar(36.0) * omega1_2 * omega2 * a2 * a3 - Scalar(80.0) * omega1_2 * omega2 * a3 * a4
-      - Scalar(192.0) * omega2_3 * a2 * a3 - lump * (Scalar(6.0) * omega1_6 * omega2
-      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[3] = (Scalar(18.0) * omega1_2 * omega2_2 * a3 - Scalar(48.0) * omega2_4 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(10.0) * omega1_4 * a4 + Scalar(18.0) * omega1_2 * omega2_2 * a2
-      - Scalar(40.0) * omega1_2 * omega2_2 * a4 - Scalar(48.0) * omega2_4 * a2) / denominator;
-  gradient[5] = (Scalar(10.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(9.0) * omega1_4 * omega2_2 + Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 139 operations.
-template <class Scalar>
-void lump_gradient_21(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7;
-  // multiplies a1*a2
-  const Scalar c_0 = -Scalar(4.0) * omega1_4 * omega2 + Scalar(8.0) * omega1_3 * omega2_2
-      + Scalar(20.0) * omega1_2 * omega2_3 - Scalar(32.0) * omega1 * omega2_4 - Scalar(16.0) * omega2_5;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(8.0) * omega1_5 + Scalar(4.0) * omega1_4 * omega2 - Scalar(48.0) * omega1_3 * omega2_2
-      - Scalar(24.0) * omega1_2 * omega2_3;
-  // multiplies b2
-  const Scalar c_2 = -Scalar(12.0) * omega1_5 * omega2_2 - Scalar(6.0) * omega1_4 * omega2_3
-      + Scalar(48.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = -Scalar(12.0) * b2;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = Scalar(8.0) * a2 * a3;  // multiplies omega1^5
-  const Scalar w_2 = -Scalar(6.0) * b2;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = -Scalar(4.0) * a1 * a2 + Scalar(4.0) * a2 * a3;  // multiplies omega1^4*omega2
-  const Scalar w_4 = Scalar(48.0) * b2;  // multiplies omega1^3*omega2^4
-  const Scalar w_5 = Scalar(8.0) * a1 * a2 - Scalar(48.0) * a2 * a3;  // multiplies omega1^3*omega2^2
-  const Scalar w_6 = Scalar(24.0) * b2;  // multiplies omega1^2*omega2^5
-  const Scalar w_7 = Scalar(20.0) * a1 * a2 - Scalar(24.0) * a2 * a3;  // multiplies omega1^2*omega2^3
-  const Scalar w_8 = -Scalar(32.0) * a1 * a2;  // multiplies omega1*omega2^4
-  const Scalar w_9 = -Scalar(16.0) * a1 * a2;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(14.0) * omega1_6 * omega2_2 + Scalar(6.0) * omega1_5 * omega2_3
-      - Scalar(50.0) * omega1_4 * omega2_4 - Scalar(20.0) * omega1_3 * omega2_5
-      + Scalar(24.0) * omega1_2 * omega2_6 + Scalar(8.0) * omega1 * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(4.0) * omega1_7 * omega2 + Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(40.0) * omega1_5 * omega2_3 - Scalar(25.0) * omega1_4 * omega2_4
-      + Scalar(48.0) * omega1_3 * omega2_5 + Scalar(28.0) * omega1_2 * omega2_6)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_23(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4;
-  gradient[0] = (-lump * (Scalar(4.0) * omega1_3 - Scalar(16.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  // by omega2
-  gradient[1] = (-lump * (-Scalar(16.0) * omega1_2 * omega2 + Scalar(64.0) * omega2_3)) / denominator;
-  gradient[3] = (-Scalar(4.0) * a3) / denominator;  // by a2
-  gradient[4] = (-Scalar(4.0) * a2) / denominator;  // by a3
-}
-
-/// gradient[p] = d harmonic_im_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 27 operations.
-template <class Scalar>
-void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar mu1 = parameters[11];
-  const Scalar mu2 = parameters[13];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4;
-  gradient[0] = (-lump * (Scalar(4.0) * omega1_3 - Scalar(16.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  // by omega2
-  gradient[1] = (Scalar(4.0) * a3 * mu1 - Scalar(8.0) * a3 * mu2 - lump * (-Scalar(16.0) * omega1_2 * omega2
-      + Scalar(64.0) * omega2_3)) / denominator;
-  gradient[4] = (Scalar(4.0) * omega2 * mu1 - Scalar(8.0) * omega2 * mu2) / denominator;  // by a3
-  gradient[11] = (Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
-  gradient[13] = (-Scalar(8.0) * omega2 * a3) / denominator;  // by mu2
-}
-
-/// gradient[p] = d harmonic_re_x_A_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar e2 = parameters[14];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4;
-  gradient[0] = (-lump * (Scalar(4.0) * omega1_3 - Scalar(16.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  // by omega2
-  gradient[1] = (-lump * (-Scalar(16.0) * omega1_2 * omega2 + Scalar(64.0) * omega2_3)) / denominator;
-  gradient[4] = (Scalar(2.0) * e2) / denominator;  // by a3
-  gradient[14] = (Scalar(2.0) * a3) / denominator;  // by e2
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 70 operations.
-template <class Scalar>
-void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6;
-  const Scalar c_0 = Scalar(6.0) * omega1 * omega2_2;  // multiplies a1*a3
-  const Scalar c_1 = -Scalar(2.0) * omega1_3 + Scalar(8.0) * omega1 * omega2_2;  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(12.0) * omega1 * omega2_2 - Scalar(24.0) * omega2_3;  // multiplies a3^2
-  const Scalar c_3 = -Scalar(3.0) * omega1_3 * omega2_2 + Scalar(12.0) * omega1 * omega2_4;  // multiplies b3
-  const Scalar w_0 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^2
-  const Scalar w_1 = -Scalar(2.0) * a2 * a4;  // multiplies omega1^3
-  const Scalar w_2 = Scalar(12.0) * b3;  // multiplies omega1*omega2^4
-  // multiplies omega1*omega2^2
-  const Scalar w_3 = Scalar(6.0) * a1 * a3 + Scalar(8.0) * a2 * a4 - Scalar(12.0) * a3_2;
-  const Scalar w_4 = -Scalar(24.0) * a3_2;  // multiplies omega2^3
-  // by omega1
-  gradient[0] = (Scalar(3.0) * omega1_2 * omega2_2 * w_0 + Scalar(3.0) * omega1_2 * w_1 + omega2_4 * w_2
-      + omega2_2 * w_3 - lump * (Scalar(48.0) * omega1_3 * omega2_3 - Scalar(36.0) * omega1_2 * omega2_4
-      - Scalar(96.0) * omega1 * omega2_5 + Scalar(48.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_3 * omega2 * w_0 + Scalar(4.0) * omega1 * omega2_3 * w_2
-      + Scalar(2.0) * omega1 * omega2 * w_3 + Scalar(3.0) * omega2_2 * w_4
-      - lump * (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
-      - Scalar(240.0) * omega1_2 * omega2_4 + Scalar(288.0) * omega1 * omega2_5)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (a4 * c_1) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_2) / denominator;  // by a3
-  gradient[5] = (a2 * c_1) / denominator;  // by a4
-  gradient[8] = (c_3) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 24 operations.
-template <class Scalar>
-void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar e1 = parameters[12];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(2.0) * omega1_3 * omega2 + omega1_2 * omega2_2
-      - Scalar(2.0) * omega1 * omega2_3 - omega2_4;
-  // by omega1
-  gradient[0] = (-lump * (Scalar(6.0) * omega1_2 * omega2 + Scalar(2.0) * omega1 * omega2_2
-      - Scalar(2.0) * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-lump * (Scalar(2.0) * omega1_3 + Scalar(2.0) * omega1_2 * omega2
-      - Scalar(6.0) * omega1 * omega2_2 - Scalar(4.0) * omega2_3)) / denominator;
-  gradient[2] = (e1) / denominator;  // by a1
-  gradient[12] = (a1) / denominator;  // by e1
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 24 operations.
-template <class Scalar>
-void lump_gradient_28(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(4.0) * omega1_2 * omega2_3 + Scalar(4.0) * omega1 * omega2_4 + omega2_5;
-  // by omega1
-  gradient[0] = (-Scalar(2.0) * a2_2 - lump * (Scalar(8.0) * omega1 * omega2_3
-      + Scalar(4.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * a2_2 - lump * (Scalar(12.0) * omega1_2 * omega2_2
-      + Scalar(16.0) * omega1 * omega2_3 + Scalar(5.0) * omega2_4)) / denominator;
-  gradient[3] = (-Scalar(4.0) * omega1 * a2 - Scalar(4.0) * omega2 * a2) / denominator;  // by a2
-}
-
-/// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 59 operations.
-template <class Scalar>
-void lump_gradient_29(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(39.0) * omega1_2 * omega2_4
-      + Scalar(108.0) * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * omega2_2 * b4 - Scalar(4.0) * omega1 * a3 * a4
-      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(78.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b4 + Scalar(48.0) * omega2_3 * b4
-      + Scalar(12.0) * omega2 * a2 * a3 + Scalar(16.0) * omega2 * a3 * a4
-      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(156.0) * omega1_2 * omega2_3
-      + Scalar(648.0) * omega2_5)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * a4 + Scalar(6.0) * omega2_2 * a2
-      + Scalar(8.0) * omega2_2 * a4) / denominator;
-  gradient[5] = (-Scalar(2.0) * omega1_2 * a3 + Scalar(8.0) * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(3.0) * omega1_2 * omega2_2 + Scalar(12.0) * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_30(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7;
-  const Scalar c_0 = -Scalar(12.0) * omega1_2 * omega2_2 - Scalar(6.0) * omega1 * omega2_3;  // multiplies a1*a3
-  const Scalar c_1 = Scalar(12.0) * omega1_3 * omega2 - Scalar(48.0) * omega1 * omega2_3;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 - Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(8.0) * omega1 * omega2_3;
-  // multiplies a3^2
-  const Scalar c_3 = Scalar(24.0) * omega1_2 * omega2_2 - Scalar(36.0) * omega1 * omega2_3
-      - Scalar(24.0) * omega2_4;
-  // multiplies b3
-  const Scalar c_4 = Scalar(6.0) * omega1_4 * omega2_2 + Scalar(3.0) * omega1_3 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_4 - Scalar(12.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(6.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a2 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2_2 + Scalar(2.0) * a2 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(24.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_5 = -Scalar(12.0) * a1 * a3 - Scalar(16.0) * a2 * a4 + Scalar(24.0) * a3_2;
-  const Scalar w_6 = -Scalar(12.0) * b3;  // multiplies omega1*omega2^5
-  // multiplies omega1*omega2^3
-  const Scalar w_7 = -Scalar(6.0) * a1 * a3 - Scalar(48.0) * a2_2 - Scalar(8.0) * a2 * a4 - Scalar(36.0) * a3_2;
-  const Scalar w_8 = -Scalar(24.0) * a3_2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(120.0) * omega1_4 * omega2_3 + Scalar(144.0) * omega1_3 * omega2_4
-      - Scalar(252.0) * omega1_2 * omega2_5 - Scalar(288.0) * omega1 * omega2_6
-      - Scalar(48.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(72.0) * omega1_5 * omega2_2
-      + Scalar(144.0) * omega1_4 * omega2_3 - Scalar(420.0) * omega1_3 * omega2_4
-      - Scalar(864.0) * omega1_2 * omega2_5 - Scalar(336.0) * omega1 * omega2_6)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_im_y_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 31 operations.
-template <class Scalar>
-void lump_gradient_31(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar mu1 = parameters[11];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(4.0) * a3 * mu1 - lump * (Scalar(4.0) * omega1_3 - Scalar(12.0) * omega1_2 * omega2
-      + Scalar(8.0) * omega1 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(4.0) * a3 * mu1 - lump * (-Scalar(4.0) * omega1_3
-      + Scalar(8.0) * omega1_2 * omega2)) / denominator;
-  gradient[4] = (Scalar(4.0) * omega1 * mu1 - Scalar(4.0) * omega2 * mu1) / denominator;  // by a3
-  gradient[11] = (Scalar(4.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 139 operations.
-template <class Scalar>
-void lump_gradient_32(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = Scalar(4.0) * omega1_4 * omega2 - Scalar(8.0) * omega1_3 * omega2_2
-      - Scalar(20.0) * omega1_2 * omega2_3 + Scalar(32.0) * omega1 * omega2_4 + Scalar(16.0) * omega2_5;
-  // multiplies a3*a4
-  const Scalar c_1 = -Scalar(8.0) * omega1_5 - Scalar(4.0) * omega1_4 * omega2
-      + Scalar(48.0) * omega1_3 * omega2_2 + Scalar(24.0) * omega1_2 * omega2_3;
-  // multiplies b4
-  const Scalar c_2 = Scalar(12.0) * omega1_5 * omega2_2 + Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(48.0) * omega1_3 * omega2_4 - Scalar(24.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = Scalar(12.0) * b4;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a3 * a4;  // multiplies omega1^5
-  const Scalar w_2 = Scalar(6.0) * b4;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = Scalar(4.0) * a2 * a3 - Scalar(4.0) * a3 * a4;  // multiplies omega1^4*omega2
-  const Scalar w_4 = -Scalar(48.0) * b4;  // multiplies omega1^3*omega2^4
-  const Scalar w_5 = -Scalar(8.0) * a2 * a3 + Scalar(48.0) * a3 * a4;  // multiplies omega1^3*omega2^2
-  const Scalar w_6 = -Scalar(24.0) * b4;  // multiplies omega1^2*omega2^5
-  const Scalar w_7 = -Scalar(20.0) * a2 * a3 + Scalar(24.0) * a3 * a4;  // multiplies omega1^2*omega2^3
-  const Scalar w_8 = Scalar(32.0) * a2 * a3;  // multiplies omega1*omega2^4
-  const Scalar w_9 = Scalar(16.0) * a2 * a3;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(14.0) * omega1_6 * omega2_2 + Scalar(6.0) * omega1_5 * omega2_3
-      - Scalar(50.0) * omega1_4 * omega2_4 - Scalar(20.0) * omega1_3 * omega2_5
-      + Scalar(24.0) * omega1_2 * omega2_6 + Scalar(8.0) * omega1 * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(4.0) * omega1_7 * omega2 + Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(40.0) * omega1_5 * omega2_3 - Scalar(25.0) * omega1_4 * omega2_4
-      + Scalar(48.0) * omega1_3 * omega2_5 + Scalar(28.0) * omega1_2 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 40 operations.
-template <class Scalar>
-void lump_gradient_33(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(3.0) * omega1_2 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(18.0) * omega1 * omega2_2 * b2 - Scalar(24.0) * omega1 * a2 * a3
-      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(6.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_2 * omega2 * b2 - Scalar(20.0) * omega2 * a1 * a2
-      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(12.0) * omega1_2 * omega2_3)) / denominator;
-  gradient[2] = (-Scalar(10.0) * omega2_2 * a2) / denominator;  // by a1
-  gradient[3] = (-Scalar(12.0) * omega1_2 * a3 - Scalar(10.0) * omega2_2 * a1) / denominator;  // by a2
-  gradient[4] = (-Scalar(12.0) * omega1_2 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(9.0) * omega1_2 * omega2_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_35(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a3 = parameters[4];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_5 - Scalar(36.0) * omega1_4 * omega2
-      + Scalar(24.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(9.0) * omega1_2 * b3 - Scalar(12.0) * omega1 * omega2 * b3 + Scalar(2.0) * a1 * a3
-      + Scalar(12.0) * a3_2 - lump * (Scalar(60.0) * omega1_4 - Scalar(144.0) * omega1_3 * omega2
-      + Scalar(72.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * b3 - Scalar(4.0) * a1 * a3 - lump * (-Scalar(36.0) * omega1_4
-      + Scalar(48.0) * omega1_3 * omega2)) / denominator;
-  gradient[2] = (Scalar(2.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by a1
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1 * a1 + Scalar(24.0) * omega1 * a3
-      - Scalar(4.0) * omega2 * a1) / denominator;
-  gradient[8] = (Scalar(3.0) * omega1_3 - Scalar(6.0) * omega1_2 * omega2) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 8 operations.
-template <class Scalar>
-void lump_gradient_36(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar e1 = parameters[12];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_2 * omega2_2 - omega2_4;
-  gradient[0] = (-lump * (Scalar(2.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  gradient[1] = (-lump * (Scalar(2.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3)) / denominator;  // by omega2
-  gradient[4] = (-e1) / denominator;  // by a3
-  gradient[12] = (-a3) / denominator;  // by e1
-}
-
-/// gradient[p] = d harmonic_re_y_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 110 operations.
-template <class Scalar>
-void lump_gradient_40(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_5 * omega2_2 - Scalar(12.0) * omega1_4 * omega2_3
-      - Scalar(3.0) * omega1_3 * omega2_4 + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(27.0) * omega1_2 * omega2_2 * b4 + Scalar(6.0) * omega1_2 * a3 * a4
-      - Scalar(36.0) * omega2_4 * b4 - Scalar(6.0) * omega2_2 * a2 * a3 + Scalar(4.0) * omega2_2 * a3 * a4
-      - lump * (Scalar(15.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
-      - Scalar(9.0) * omega1_2 * omega2_4 + Scalar(96.0) * omega1 * omega2_5
-      - Scalar(36.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_3 * omega2 * b4 - Scalar(144.0) * omega1 * omega2_3 * b4
-      - Scalar(12.0) * omega1 * omega2 * a2 * a3 + Scalar(8.0) * omega1 * omega2 * a3 * a4
-      + Scalar(72.0) * omega2_2 * a3 * a4 - lump * (Scalar(6.0) * omega1_5 * omega2
-      - Scalar(36.0) * omega1_4 * omega2_2 - Scalar(12.0) * omega1_3 * omega2_3
-      + Scalar(240.0) * omega1_2 * omega2_4 - Scalar(216.0) * omega1 * omega2_5)) / denominator;
-  gradient[3] = (-Scalar(6.0) * omega1 * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1_3 * a4 - Scalar(6.0) * omega1 * omega2_2 * a2
-      + Scalar(4.0) * omega1 * omega2_2 * a4 + Scalar(24.0) * omega2_3 * a4) / denominator;
-  // by a4
-  gradient[5] = (Scalar(2.0) * omega1_3 * a3 + Scalar(4.0) * omega1 * omega2_2 * a3
-      + Scalar(24.0) * omega2_3 * a3) / denominator;
-  gradient[9] = (Scalar(9.0) * omega1_3 * omega2_2 - Scalar(36.0) * omega1 * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_41(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(27.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * b2 - lump * (Scalar(108.0) * omega1_3
-      - Scalar(6.0) * omega1 * omega2_2)) / denominator;
-  gradient[1] = (-lump * (-Scalar(6.0) * omega1_2 * omega2)) / denominator;  // by omega2
-  gradient[2] = (Scalar(2.0) * a2) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a1) / denominator;  // by a2
-  gradient[7] = (Scalar(3.0) * omega1_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_42(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * omega2_2 * b5 + Scalar(4.0) * omega1 * a4_2
-      - lump * (Scalar(48.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(6.0) * omega1_2 * omega2 * b5 - Scalar(48.0) * omega2_3 * b5
-      - Scalar(12.0) * omega2 * a3_2 - Scalar(16.0) * omega2 * a4_2 - lump * (Scalar(96.0) * omega1_2 * omega2_3
-      - Scalar(576.0) * omega2_5)) / denominator;
-  gradient[4] = (-Scalar(12.0) * omega2_2 * a3) / denominator;  // by a3
-  gradient[5] = (Scalar(4.0) * omega1_2 * a4 - Scalar(16.0) * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(3.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_43(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 + Scalar(27.0) * omega1_5 * omega2_3
-      + Scalar(6.0) * omega1_4 * omega2_4 - Scalar(99.0) * omega1_3 * omega2_5
-      - Scalar(120.0) * omega1_2 * omega2_6 - Scalar(36.0) * omega1 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      - Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 + Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 - Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2 * a3 + Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = -Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = -Scalar(54.0) * a2 * a3 - Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 + Scalar(135.0) * omega1_4 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_4 - Scalar(297.0) * omega1_2 * omega2_5
-      - Scalar(240.0) * omega1 * omega2_6 - Scalar(36.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
-      + Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
-      - Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
-      - Scalar(252.0) * omega1 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
+  lumps[40] = lump_38(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y2_conjA_x
+  lumps[41] = lump_39(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x3
+  lumps[42] = lump_15(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y3
+  lumps[43] = lump_16(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y2
 }
 
 /// jacobian[l * 15 + p] = d lumps[l] / d parameters[p]. 107 operations.
@@ -3326,13 +2800,11 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   const Scalar a2_2 = a2 * a2;
   const Scalar mu1_2 = mu1 * mu1;
   const Scalar mu2_2 = mu2 * mu2;
-  Scalar lumps[44];
-  evaluate_lumps(parameters, lumps);
   for (std::size_t i = 0; i < 660; ++i) jacobian[i] = Scalar(0.0);
   jacobian[11] = Scalar(1.0);  // d mu1 / d mu1
   jacobian[15] = mu1_2 / (Scalar(2.0) * omega1_2);  // d conservative_x_A_x / d omega1
   jacobian[26] = -mu1 / omega1;  // d conservative_x_A_x / d mu1
-  lump_gradient_2(parameters, lumps[2], jacobian + 30);  // d conservative_x_A_x_A_y_conjA_y
+  lump_19(parameters, jacobian + 30);  // d conservative_x_A_x_A_y_conjA_y
   // d conservative_x_A_x2_conjA_x / d omega1
   jacobian[45] = (-Scalar(3.0) * omega1_2 * omega2_2 * b1 + Scalar(4.0) * omega1_2 * a2_2 + omega1 * omega2 * a2_2
       + Scalar(10.0) * omega2_2 * a1_2) / (Scalar(2.0) * omega1_4 * omega2_2);
@@ -3346,7 +2818,7 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[63] = mu2 / (Scalar(2.0) * omega1_2);  // d dissipative_x_A_y_conjA_x / d a2
   jacobian[73] = a2 / (Scalar(2.0) * omega1_2);  // d dissipative_x_A_y_conjA_x / d mu2
   jacobian[78] = Scalar(1.0);  // d a2 / d a2
-  lump_gradient_6(parameters, lumps[6], jacobian + 90);  // d conservative_x_conjA_x_F
+  lump_20(parameters, jacobian + 90);  // d conservative_x_conjA_x_F
   // d dissipative_y_A_x2 / d omega2
   jacobian[106] = (-Scalar(2.0) * a2 * mu1 + a2 * mu2) / (Scalar(2.0) * omega2_3);
   jacobian[108] = (Scalar(2.0) * mu1 - mu2) / (Scalar(4.0) * omega2_2);  // d dissipative_y_A_x2 / d a2
@@ -3355,37 +2827,37 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[133] = Scalar(1.0);  // d mu2 / d mu2
   jacobian[136] = mu2_2 / (Scalar(2.0) * omega2_2);  // d conservative_y_A_y / d omega2
   jacobian[148] = -mu2 / omega2;  // d conservative_y_A_y / d mu2
-  lump_gradient_10(parameters, lumps[10], jacobian + 150);  // d conservative_y_A_y2_conjA_y
-  lump_gradient_11(parameters, lumps[11], jacobian + 165);  // d conservative_y_A_x_A_y_conjA_x
+  lump_9(parameters, jacobian + 150);  // d conservative_y_A_y2_conjA_y
+  lump_21(parameters, jacobian + 165);  // d conservative_y_A_x_A_y_conjA_x
   jacobian[181] = -mu2 * e2 / (Scalar(4.0) * omega2_3);  // d dissipative_y_F / d omega2
   jacobian[193] = e2 / (Scalar(8.0) * omega2_2);  // d dissipative_y_F / d mu2
   jacobian[194] = mu2 / (Scalar(8.0) * omega2_2);  // d dissipative_y_F / d e2
   jacobian[209] = Scalar(1.0);  // d e2 / d e2
   jacobian[214] = Scalar(1.0);  // d a3 / d a3
   jacobian[227] = Scalar(1.0);  // d a1 / d a1
-  lump_gradient_16(parameters, lumps[16], jacobian + 240);  // d harmonic_re_x_A_y_conjA_x2
-  lump_gradient_17(parameters, lumps[17], jacobian + 255);  // d harmonic_re_x_conjA_y_F
+  lump_22(parameters, jacobian + 240);  // d harmonic_re_x_A_y_conjA_x2
+  lump_23(parameters, jacobian + 255);  // d harmonic_re_x_conjA_y_F
   jacobian[282] = Scalar(1.0);  // d e1 / d e1
-  lump_gradient_19(parameters, lumps[19], jacobian + 285);  // d harmonic_im_x_F
-  lump_gradient_20(parameters, lumps[20], jacobian + 300);  // d harmonic_re_x_A_y2_conjA_y
-  lump_gradient_21(parameters, lumps[21], jacobian + 315);  // d harmonic_re_x_A_x_A_y_conjA_x
+  lump_24(parameters, jacobian + 285);  // d harmonic_im_x_F
+  lump_25(parameters, jacobian + 300);  // d harmonic_re_x_A_y2_conjA_y
+  lump_26(parameters, jacobian + 315);  // d harmonic_re_x_A_x_A_y_conjA_x
   jacobian[330] = Scalar(4.0) * a1 * mu1 / (Scalar(3.0) * omega1_4);  // d harmonic_im_x_A_x2 / d omega1
   jacobian[332] = -Scalar(4.0) * mu1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d a1
   jacobian[341] = -Scalar(4.0) * a1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d mu1
-  lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_re_x_A_x2_A_y
-  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_im_x_A_y2
-  lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_x_A_y_F
-  lump_gradient_26(parameters, lumps[26], jacobian + 390);  // d harmonic_re_x_A_y2_conjA_x
-  lump_gradient_27(parameters, lumps[27], jacobian + 405);  // d harmonic_re_x_A_x_F
-  lump_gradient_28(parameters, lumps[28], jacobian + 420);  // d harmonic_re_x_A_x3
-  lump_gradient_29(parameters, lumps[29], jacobian + 435);  // d harmonic_re_x_A_y3
-  lump_gradient_30(parameters, lumps[30], jacobian + 450);  // d harmonic_re_x_A_x_A_y2
-  lump_gradient_31(parameters, lumps[31], jacobian + 465);  // d harmonic_im_y_A_y_conjA_x
-  lump_gradient_32(parameters, lumps[32], jacobian + 480);  // d harmonic_re_y_A_x_A_y_conjA_y
-  lump_gradient_33(parameters, lumps[33], jacobian + 495);  // d harmonic_re_y_A_x2_conjA_x
+  lump_27(parameters, jacobian + 345);  // d harmonic_re_x_A_x2_A_y
+  lump_28(parameters, jacobian + 360);  // d harmonic_im_x_A_y2
+  lump_29(parameters, jacobian + 375);  // d harmonic_re_x_A_y_F
+  lump_30(parameters, jacobian + 390);  // d harmonic_re_x_A_y2_conjA_x
+  lump_31(parameters, jacobian + 405);  // d harmonic_re_x_A_x_F
+  lump_32(parameters, jacobian + 420);  // d harmonic_re_x_A_x3
+  lump_11(parameters, jacobian + 435);  // d harmonic_re_x_A_y3
+  lump_12(parameters, jacobian + 450);  // d harmonic_re_x_A_x_A_y2
+  lump_33(parameters, jacobian + 465);  // d harmonic_im_y_A_y_conjA_x
+  lump_34(parameters, jacobian + 480);  // d harmonic_re_y_A_x_A_y_conjA_y
+  lump_35(parameters, jacobian + 495);  // d harmonic_re_y_A_x2_conjA_x
   jacobian[515] = Scalar(1.0);  // d a4 / d a4
-  lump_gradient_35(parameters, lumps[35], jacobian + 525);  // d harmonic_re_y_A_y_conjA_x2
-  lump_gradient_36(parameters, lumps[36], jacobian + 540);  // d harmonic_re_y_conjA_y_F
+  lump_36(parameters, jacobian + 525);  // d harmonic_re_y_A_y_conjA_x2
+  lump_37(parameters, jacobian + 540);  // d harmonic_re_y_conjA_y_F
   jacobian[556] = Scalar(16.0) * a2 * a4 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_x2_A_y / d omega2
   jacobian[558] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a2
   jacobian[560] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a4
@@ -3395,10 +2867,10 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[586] = -Scalar(8.0) * a4 * e2 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_y_F / d omega2
   jacobian[590] = Scalar(2.0) * e2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_y_F / d a4
   jacobian[599] = Scalar(2.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_y_F / d e2
-  lump_gradient_40(parameters, lumps[40], jacobian + 600);  // d harmonic_re_y_A_y2_conjA_x
-  lump_gradient_41(parameters, lumps[41], jacobian + 615);  // d harmonic_re_y_A_x3
-  lump_gradient_42(parameters, lumps[42], jacobian + 630);  // d harmonic_re_y_A_y3
-  lump_gradient_43(parameters, lumps[43], jacobian + 645);  // d harmonic_re_y_A_x_A_y2
+  lump_38(parameters, jacobian + 600);  // d harmonic_re_y_A_y2_conjA_x
+  lump_39(parameters, jacobian + 615);  // d harmonic_re_y_A_x3
+  lump_15(parameters, jacobian + 630);  // d harmonic_re_y_A_y3
+  lump_16(parameters, jacobian + 645);  // d harmonic_re_y_A_x_A_y2
 }
 
 /// What multiplies the 8 terms of the modulation of x: functions of the frequencies alone. 6 operations.
@@ -3606,7 +3078,7 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 8 terms of the harmonic Omega of x: functions of the frequencies alone. 19 operations.
+/// What multiplies the 8 terms of the harmonic Omega of x: functions of the frequencies alone. 16 operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -3614,14 +3086,14 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1_2 = per_1 * per_1;
   factor[0] = Scalar(1.0) / (Scalar(3.0) * omega1_2);
-  factor[1] = Scalar(1.0) / (Scalar(2.0) * omega1_2 - Scalar(2.0) * omega2_2);
-  factor[2] = (-omega2_2 + omega2 * Omega) / (omega1_4 - Scalar(2.0) * omega1_2 * omega2_2 + omega2_4);
+  factor[1] = per_0 * per_1 / Scalar(2.0);
+  factor[2] = (-omega2_2 + omega2 * Omega) * per_0_2 * per_1_2;
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(1.0);
   factor[5] = Scalar(1.0);
@@ -3630,8 +3102,8 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(Omega)*t) in x = 1/(3*omega1^2)*a1*A_x^2 + 1/(2*omega1^2 - 2*omega2^2)*e1*F + (-omega2^2
-/// + omega2*Omega)/(omega1^4 - 2*omega1^2*omega2^2 + omega2^4)*e1*F + i*harmonic_im_x_F*F +
+/// amplitude of exp(i*(Omega)*t) in x = 1/(3*omega1^2)*a1*A_x^2 + 1/(2*(omega1 + omega2)*(omega1 - omega2))*e1*F
+/// + (-omega2^2 + omega2*Omega)/((omega1 + omega2)^2*(omega1 - omega2)^2)*e1*F + i*harmonic_im_x_F*F +
 /// harmonic_re_x_A_y2_conjA_y*A_y^2*conj(A_y) + harmonic_re_x_A_x_A_y_conjA_x*A_x*conj(A_x)*A_y +
 /// harmonic_re_x_A_x_A_y_conjA_x*A_x*conj(A_x)*A_y + i*harmonic_im_x_A_x2*A_x^2
 /// 6 columns; per observation at most 20 products and sums of complex numbers.
@@ -3680,7 +3152,7 @@ inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 8>{mode}, columns);
 }
 
-/// What multiplies the 6 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 28
+/// What multiplies the 6 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 27
 /// operations.
 template <class Scalar>
 void factors_4([[maybe_unused]] const Scalar* natural_frequency,
@@ -3692,13 +3164,14 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_3 = omega1_2 * omega1;
   const Scalar omega1_4 = omega1_3 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = -Scalar(1.0) / (omega1_2 - Scalar(4.0) * omega2_2);
-  factor[1] = (omega1_4 - omega1_2 * omega2_2) / (omega1_4 - omega1_2 * omega2_2
-      - Scalar(2.0) * omega1_2 * omega2 * Omega - Scalar(2.0) * omega1_2 * Omega_2 + omega2_2 * Omega_2
-      + Scalar(2.0) * omega2 * Omega_3 + Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 + omega2 + Omega);
+  const Scalar per_3 = Scalar(1.0) / (omega1 - omega2 - Omega);
+  const Scalar per_4 = Scalar(1.0) / (omega1 + Omega);
+  const Scalar per_5 = Scalar(1.0) / (omega1 - Omega);
+  factor[0] = -per_0 * per_1;
+  factor[1] = (omega1_4 - omega1_2 * omega2_2) * per_2 * per_3 * per_4 * per_5;
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(1.0);
@@ -3706,11 +3179,10 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic omega2+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega2 + Omega)*t) in x = -1/(omega1^2 - 4*omega2^2)*a3*A_y^2 + (omega1^4 -
-/// omega1^2*omega2^2)/(omega1^4 - omega1^2*omega2^2 - 2*omega1^2*omega2*Omega - 2*omega1^2*Omega^2 +
-/// omega2^2*Omega^2 + 2*omega2*Omega^3 + Omega^4)*harmonic_re_x_conjA_y_F*A_y*F +
-/// harmonic_re_x_A_x2_A_y*A_x^2*A_y + harmonic_re_x_A_x2_A_y*A_x^2*A_y + i*harmonic_im_x_A_y2*A_y^2 +
-/// harmonic_re_x_A_y_F*A_y*F
+/// amplitude of exp(i*(omega2 + Omega)*t) in x = -1/((omega1 + 2*omega2)*(omega1 - 2*omega2))*a3*A_y^2 +
+/// (omega1^4 - omega1^2*omega2^2)/((omega1 + omega2 + Omega)*(omega1 - omega2 - Omega)*(omega1 + Omega)*(omega1
+/// - Omega))*harmonic_re_x_conjA_y_F*A_y*F + harmonic_re_x_A_x2_A_y*A_x^2*A_y + harmonic_re_x_A_x2_A_y*A_x^2*A_y
+/// + i*harmonic_im_x_A_y2*A_y^2 + harmonic_re_x_A_y_F*A_y*F
 /// 5 columns; per observation at most 23 products and sums of complex numbers.
 template <class Factors>
 void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3753,7 +3225,7 @@ inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 8 terms of the harmonic omega1+Omega of x: functions of the frequencies alone. 22
+/// What multiplies the 8 terms of the harmonic omega1+Omega of x: functions of the frequencies alone. 17
 /// operations.
 template <class Scalar>
 void factors_5([[maybe_unused]] const Scalar* natural_frequency,
@@ -3763,11 +3235,10 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega1_3 = omega1_2 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  factor[0] = (-Scalar(8.0) * omega1_3 - Scalar(8.0) * omega1_2 * omega2) / (Scalar(4.0) * omega1_2 * omega2_2
-      + Scalar(4.0) * omega1 * omega2_3 + omega2_4);
-  factor[1] = Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 + omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  factor[0] = (-Scalar(8.0) * omega1_3 - Scalar(8.0) * omega1_2 * omega2) * per_0_2 / omega2_2;
+  factor[1] = Scalar(2.0) * per_0 / omega2;
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(1.0);
@@ -3777,9 +3248,9 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic omega1+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + Omega)*t) in x = (-8*omega1^3 - 8*omega1^2*omega2)/(4*omega1^2*omega2^2 +
-/// 4*omega1*omega2^3 + omega2^4)*i*dissipative_x_A_y_conjA_x*A_x*A_y + 2/(2*omega1*omega2 + omega2^2)*a2*A_x*A_y
-/// + harmonic_re_x_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_x_A_x_F*A_x*F + harmonic_re_x_A_x_F*A_x*F +
+/// amplitude of exp(i*(omega1 + Omega)*t) in x = (-8*omega1^3 - 8*omega1^2*omega2)/(omega2^2*(2*omega1 +
+/// omega2)^2)*i*dissipative_x_A_y_conjA_x*A_x*A_y + 2/(omega2*(2*omega1 + omega2))*a2*A_x*A_y +
+/// harmonic_re_x_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_x_A_x_F*A_x*F + harmonic_re_x_A_x_F*A_x*F +
 /// harmonic_re_x_A_x3*A_x^3 + 2*omega2/omega1*harmonic_re_x_A_x3*conj(A_x)*A_y^2 + harmonic_re_x_A_x3*A_x^3
 /// 5 columns; per observation at most 35 products and sums of complex numbers.
 template <class Factors>
@@ -3912,12 +3383,13 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_4 = omega1_3 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
-  factor[1] = (-omega1_4 + omega1_2 * omega2_2) / (omega1_4 - Scalar(2.0) * omega1_3 * Omega - omega1_2 * omega2_2
-      + Scalar(2.0) * omega1 * Omega_3 + omega2_2 * Omega_2 - Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2 - Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - omega2 - Omega);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Omega);
+  const Scalar per_4 = Scalar(1.0) / (omega1 - Omega);
+  factor[0] = Scalar(2.0) * per_0 / omega1;
+  factor[1] = (-omega1_4 + omega1_2 * omega2_2) * per_1 * per_2 * per_3 * per_4;
   factor[2] = (omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / omega1_3;
   factor[3] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
       + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
@@ -3929,9 +3401,9 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic omega1 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1)*t) in y = 2/(omega1^2 - 2*omega1*omega2)*a3*conj(A_x)*A_y + (-omega1^4 +
-/// omega1^2*omega2^2)/(omega1^4 - 2*omega1^3*Omega - omega1^2*omega2^2 + 2*omega1*Omega^3 + omega2^2*Omega^2 -
-/// Omega^4)*harmonic_re_x_conjA_y_F*conj(A_x)*F + (omega1^3 + 3*omega1^2*omega2 -
+/// amplitude of exp(i*(omega1)*t) in y = 2/(omega1*(omega1 - 2*omega2))*a3*conj(A_x)*A_y + (-omega1^4 +
+/// omega1^2*omega2^2)/((omega1 + omega2 - Omega)*(omega1 - omega2 - Omega)*(omega1 + Omega)*(omega1 -
+/// Omega))*harmonic_re_x_conjA_y_F*conj(A_x)*F + (omega1^3 + 3*omega1^2*omega2 -
 /// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*A_y*conj(A_y) + (-omega1^3 - 3*omega1^2*omega2 +
 /// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^2*conj(A_x) + (-omega1^3 - 3*omega1^2*omega2 +
 /// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_y_F*conj(A_x)*F + i*harmonic_im_y_A_y_conjA_x*conj(A_x)*A_y +
@@ -4047,7 +3519,7 @@ inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_9(data, FactorSlopes<factors_9<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 6 terms of the harmonic omega2+Omega of y: functions of the frequencies alone. 21
+/// What multiplies the 6 terms of the harmonic omega2+Omega of y: functions of the frequencies alone. 19
 /// operations.
 template <class Scalar>
 void factors_10([[maybe_unused]] const Scalar* natural_frequency,
@@ -4059,12 +3531,11 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
   const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Omega);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega2 + Omega);
   factor[0] = Scalar(1.0) / (Scalar(3.0) * omega2_2);
-  factor[1] = (-omega1_2 * omega2_2 + omega2_4) / (Scalar(2.0) * omega1_2 * omega2 * Omega + omega1_2 * Omega_2
-      - Scalar(2.0) * omega2 * Omega_3 - Omega_4);
+  factor[1] = (-omega1_2 * omega2_2 + omega2_4) * per_0 * per_1 * per_2 / Omega;
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(1.0);
@@ -4073,9 +3544,9 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
 
 /// Rows of the harmonic omega2+Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega2 + Omega)*t) in y = 1/(3*omega2^2)*a4*A_y^2 + (-omega1^2*omega2^2 +
-/// omega2^4)/(2*omega1^2*omega2*Omega + omega1^2*Omega^2 - 2*omega2*Omega^3 -
-/// Omega^4)*harmonic_re_y_conjA_y_F*A_y*F + harmonic_re_y_A_x2_A_y*A_x^2*A_y + harmonic_re_y_A_x2_A_y*A_x^2*A_y
-/// + i*harmonic_im_y_A_y2*A_y^2 + harmonic_re_y_A_y_F*A_y*F
+/// omega2^4)/(Omega*(omega1 + Omega)*(omega1 - Omega)*(2*omega2 + Omega))*harmonic_re_y_conjA_y_F*A_y*F +
+/// harmonic_re_y_A_x2_A_y*A_x^2*A_y + harmonic_re_y_A_x2_A_y*A_x^2*A_y + i*harmonic_im_y_A_y2*A_y^2 +
+/// harmonic_re_y_A_y_F*A_y*F
 /// 5 columns; per observation at most 23 products and sums of complex numbers.
 template <class Factors>
 void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -4118,7 +3589,7 @@ inline void column_slopes_10(const BatchArrays& data, [[maybe_unused]] std::size
   rows_10(data, FactorSlopes<factors_10<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 8 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 59
+/// What multiplies the 8 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 58
 /// operations.
 template <class Scalar>
 void factors_11([[maybe_unused]] const Scalar* natural_frequency,
@@ -4131,31 +3602,33 @@ void factors_11([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_4 = omega1_3 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = Scalar(2.0) / (omega1_2 + Scalar(2.0) * omega1 * omega2);
-  factor[1] = (-omega1_4 + omega1_2 * omega2_2) / (omega1_4 + Scalar(2.0) * omega1_3 * Omega - omega1_2 * omega2_2
-      - Scalar(2.0) * omega1 * Omega_3 + omega2_2 * Omega_2 - Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2 + Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - omega2 + Omega);
+  const Scalar per_3 = Scalar(1.0) / (omega1 + Omega);
+  const Scalar per_4 = Scalar(1.0) / (omega1 - Omega);
+  const Scalar per_5 = Scalar(1.0) / (omega1 - omega2);
+  factor[0] = Scalar(2.0) * per_0 / omega1;
+  factor[1] = (-omega1_4 + omega1_2 * omega2_2) * per_1 * per_2 * per_3 * per_4;
   factor[2] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
       + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
   factor[3] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / omega1_3;
   factor[4] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
       + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
-  factor[5] = (-omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / (omega1_3
-      + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3);
+  factor[5] = (-omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) * per_0_2 * per_5;
   factor[6] = Scalar(1.0);
   factor[7] = Scalar(1.0);
 }
 
 /// Rows of the harmonic omega1+Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + Omega)*t) in y = 2/(omega1^2 + 2*omega1*omega2)*a3*A_x*A_y + (-omega1^4 +
-/// omega1^2*omega2^2)/(omega1^4 + 2*omega1^3*Omega - omega1^2*omega2^2 - 2*omega1*Omega^3 + omega2^2*Omega^2 -
-/// Omega^4)*harmonic_re_x_conjA_y_F*A_x*F + (omega1^3 - 3*omega1^2*omega2 +
+/// amplitude of exp(i*(omega1 + Omega)*t) in y = 2/(omega1*(omega1 + 2*omega2))*a3*A_x*A_y + (-omega1^4 +
+/// omega1^2*omega2^2)/((omega1 + omega2 + Omega)*(omega1 - omega2 + Omega)*(omega1 + Omega)*(omega1 -
+/// Omega))*harmonic_re_x_conjA_y_F*A_x*F + (omega1^3 - 3*omega1^2*omega2 +
 /// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^3 + (omega1^3 - 3*omega1^2*omega2 +
 /// 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*conj(A_x)*A_y^2 + (omega1^3 - 3*omega1^2*omega2 +
 /// 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_y_F*A_x*F + (-omega1^3 + 3*omega1^2*omega2 -
-/// 4*omega2^3)/(omega1^3 + 3*omega1^2*omega2 - 4*omega2^3)*i*harmonic_im_y_A_y_conjA_x*A_x*A_y +
+/// 4*omega2^3)/((omega1 + 2*omega2)^2*(omega1 - omega2))*i*harmonic_im_y_A_y_conjA_x*A_x*A_y +
 /// harmonic_re_y_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_y_A_x3*A_x^3
 /// 7 columns; per observation at most 33 products and sums of complex numbers.
 template <class Factors>
@@ -4316,11 +3789,11 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + times_i(lumps[3] * (norm_A_x * A_x))
        + lumps[4] * (conj_A_x * A_y)
        + times_i(lumps[5] * Scalar(1.0) / omega1 * (conj_A_x * A_y))
-       + times_i(lumps[5] * ((Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2)) * (conj_A_x * A_y))
+       + times_i(lumps[5] * (Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2) * (conj_A_x * A_y))
        + times_i(lumps[6] * (conj_A_x * F))
        - times_i((-omega1 + excitation_frequency[0] / Scalar(2.0)) * A_x));
   store_complex(derivative, 1, times_i(lumps[5] * Scalar(1.0) / (Scalar(2.0) * omega2) * (A_x * A_x))
-       + times_i(lumps[5] * ((-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2)) * (A_x * A_x))
+       + times_i(lumps[5] * (-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2) * (A_x * A_x))
        + lumps[7] * (A_x * A_x)
        + lumps[8] * (-Scalar(1.0)) * (A_y)
        + times_i(lumps[9] * (A_y))
@@ -4328,7 +3801,7 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + times_i(lumps[11] * (norm_A_x * A_y))
        + lumps[12] * (F)
        + times_i(lumps[13] * (-Scalar(1.0) / (Scalar(4.0) * omega2)) * (F))
-       + times_i(lumps[13] * ((-omega2 + Omega) / (Scalar(8.0) * omega2_2)) * (F))
+       + times_i(lumps[13] * (-omega2 + Omega) / (Scalar(8.0) * omega2_2) * (F))
        - times_i((-omega2 + excitation_frequency[0]) * A_y));
 }
 
@@ -4363,7 +3836,7 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
   const Complex conj_by_0_0 = times_i(lumps[3] * (A_x * A_x))
        + lumps[4] * (A_y)
        + times_i(lumps[5] * Scalar(1.0) / omega1 * (A_y))
-       + times_i(lumps[5] * ((Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2)) * (A_y))
+       + times_i(lumps[5] * (Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2) * (A_y))
        + times_i(lumps[6] * (F));
   jacobian[0] = by_0_0.real + conj_by_0_0.real;
   jacobian[1] = conj_by_0_0.imag - by_0_0.imag;
@@ -4372,14 +3845,14 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
   const Complex by_0_1 = times_i(lumps[2] * (A_x * conj_A_y))
        + lumps[4] * (conj_A_x)
        + times_i(lumps[5] * Scalar(1.0) / omega1 * (conj_A_x))
-       + times_i(lumps[5] * ((Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2)) * (conj_A_x));
+       + times_i(lumps[5] * (Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2) * (conj_A_x));
   const Complex conj_by_0_1 = times_i(lumps[2] * (A_x * A_y));
   jacobian[2] = by_0_1.real + conj_by_0_1.real;
   jacobian[3] = conj_by_0_1.imag - by_0_1.imag;
   jacobian[6] = by_0_1.imag + conj_by_0_1.imag;
   jacobian[7] = by_0_1.real - conj_by_0_1.real;
   const Complex by_1_0 = times_i(lumps[5] * Scalar(1.0) / (Scalar(2.0) * omega2) * Scalar(2) * (A_x))
-       + times_i(lumps[5] * ((-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2)) * Scalar(2) * (A_x))
+       + times_i(lumps[5] * (-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2) * Scalar(2) * (A_x))
        + lumps[7] * Scalar(2) * (A_x)
        + times_i(lumps[11] * (conj_A_x * A_y));
   const Complex conj_by_1_0 = times_i(lumps[11] * (A_x * A_y));
@@ -4405,1323 +3878,84 @@ namespace one_to_three {
 
 /// Lumps: the parameter combinations that multiply data.
 /// lumps[0]: mu1 = mu1
-/// lumps[1]: conservative_x_A_x_A_y_conjA_y = (4*omega1^6*omega2^2*b3 - 8*omega1^6*a2*a4 -
-/// 17*omega1^4*omega2^4*b3 - 8*omega1^4*omega2^2*a1*a3 - 4*omega1^4*omega2^2*a2^2 + 34*omega1^4*omega2^2*a2*a4 +
-/// 16*omega1^4*omega2^2*a3^2 + 4*omega1^2*omega2^6*b3 + 34*omega1^2*omega2^4*a1*a3 + 16*omega1^2*omega2^4*a2^2 -
-/// 8*omega1^2*omega2^4*a2*a4 - 4*omega1^2*omega2^4*a3^2 - 8*omega2^6*a1*a3)/(4*omega1^7*omega2^2 -
-/// 17*omega1^5*omega2^4 + 4*omega1^3*omega2^6)
-/// lumps[2]: conservative_x_A_x2_conjA_x = (36*omega1^4*omega2^2*b1 - 48*omega1^4*a2^2 - 9*omega1^2*omega2^4*b1
-/// - 40*omega1^2*omega2^2*a1^2 + 18*omega1^2*omega2^2*a2^2 + 10*omega2^4*a1^2)/(24*omega1^5*omega2^2 -
-/// 6*omega1^3*omega2^4)
 /// lumps[3]: e1 = e1
-/// lumps[4]: conservative_x_A_y_conjA_x2 = (36*omega1^5*omega2*b2 - 72*omega1^4*omega2^2*b2 - 24*omega1^4*a1*a2
-/// - 9*omega1^3*omega2^3*b2 + 44*omega1^3*omega2*a1*a2 + 54*omega1^3*omega2*a2*a3 + 18*omega1^2*omega2^4*b2 +
-/// 8*omega1^2*omega2^2*a1*a2 - 12*omega1^2*omega2^2*a2*a3 - 2*omega1*omega2^3*a1*a2 - 12*omega1*omega2^3*a2*a3 +
-/// 4*omega2^4*a1*a2)/(24*omega1^6*omega2 - 48*omega1^5*omega2^2 - 6*omega1^4*omega2^3 + 12*omega1^3*omega2^4)
-/// lumps[5]: conservative_y_A_x3 = (12*omega1^4*b2 - 3*omega1^2*omega2^2*b2 + 8*omega1^2*a1*a2 +
-/// 6*omega1^2*a2*a3 - 2*omega2^2*a1*a2)/(24*omega1^4*omega2 - 6*omega1^2*omega2^3)
 /// lumps[6]: mu2 = mu2
-/// lumps[7]: conservative_y_A_y2_conjA_y = (9*omega1^4*omega2^2*b5 - 10*omega1^4*a4^2 - 36*omega1^2*omega2^4*b5
-/// - 18*omega1^2*omega2^2*a3^2 + 40*omega1^2*omega2^2*a4^2 + 48*omega2^4*a3^2)/(6*omega1^4*omega2^3 -
-/// 24*omega1^2*omega2^5)
 /// lumps[8]: a2 = a2
 /// lumps[9]: a1 = a1
 /// lumps[10]: a3 = a3
-/// lumps[11]: harmonic_re_x_A_y2_conjA_x = (-6*omega1^4*omega2^2*b3 - 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3
-/// + 12*omega1^3*omega2*a2^2 + 2*omega1^3*omega2*a2*a4 + 24*omega1^2*omega2^4*b3 + 12*omega1^2*omega2^2*a1*a3 +
-/// 16*omega1^2*omega2^2*a2*a4 - 24*omega1^2*omega2^2*a3^2 - 12*omega1*omega2^5*b3 - 6*omega1*omega2^3*a1*a3 -
-/// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 +
-/// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 - 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 + 144*omega1^2*omega2^6
-/// - 48*omega1*omega2^7)
-/// lumps[12]: harmonic_re_x_A_x2_A_y = (36*omega1^5*omega2*b2 + 72*omega1^4*omega2^2*b2 + 24*omega1^4*a1*a2 -
-/// 9*omega1^3*omega2^3*b2 + 44*omega1^3*omega2*a1*a2 + 54*omega1^3*omega2*a2*a3 - 18*omega1^2*omega2^4*b2 -
-/// 8*omega1^2*omega2^2*a1*a2 + 12*omega1^2*omega2^2*a2*a3 - 2*omega1*omega2^3*a1*a2 - 12*omega1*omega2^3*a2*a3 -
-/// 4*omega2^4*a1*a2)/(36*omega1^7*omega2 + 120*omega1^6*omega2^2 + 99*omega1^5*omega2^3 - 6*omega1^4*omega2^4 -
-/// 27*omega1^3*omega2^5 - 6*omega1^2*omega2^6)
-/// lumps[13]: harmonic_re_x_A_y2_conjA_y = (-9*omega1^4*omega2^2*b4 + 10*omega1^4*a3*a4 +
-/// 36*omega1^2*omega2^4*b4 + 18*omega1^2*omega2^2*a2*a3 - 40*omega1^2*omega2^2*a3*a4 -
-/// 48*omega2^4*a2*a3)/(3*omega1^6*omega2^2 - 15*omega1^4*omega2^4 + 12*omega1^2*omega2^6)
-/// lumps[14]: harmonic_re_x_A_x_A_y_conjA_x = (-24*omega1^6*omega2^2*b2 + 16*omega1^6*a2*a3 +
-/// 102*omega1^4*omega2^4*b2 + 24*omega1^4*omega2^2*a1*a2 - 100*omega1^4*omega2^2*a2*a3 - 24*omega1^2*omega2^6*b2
-/// - 100*omega1^2*omega2^4*a1*a2 + 24*omega1^2*omega2^4*a2*a3 + 16*omega2^6*a1*a2)/(4*omega1^8*omega2^2 -
-/// 21*omega1^6*omega2^4 + 21*omega1^4*omega2^6 - 4*omega1^2*omega2^8)
-/// lumps[15]: harmonic_re_x_A_x3 = (12*omega1^4*b1 - 3*omega1^2*omega2^2*b1 + 8*omega1^2*a1^2 + 6*omega1^2*a2^2
-/// - 2*omega2^2*a1^2)/(96*omega1^6 - 24*omega1^4*omega2^2)
-/// lumps[16]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
-/// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
-/// lumps[17]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
-/// 12*omega1^3*omega2*a2^2 + 2*omega1^3*omega2*a2*a4 - 24*omega1^2*omega2^4*b3 - 12*omega1^2*omega2^2*a1*a3 -
-/// 16*omega1^2*omega2^2*a2*a4 + 24*omega1^2*omega2^2*a3^2 - 12*omega1*omega2^5*b3 - 6*omega1*omega2^3*a1*a3 -
-/// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 -
-/// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 + 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 - 144*omega1^2*omega2^6
-/// - 48*omega1*omega2^7)
 /// lumps[18]: a4 = a4
-/// lumps[19]: harmonic_re_y_A_y_conjA_x2 = (12*omega1^5*omega2*b3 - 24*omega1^4*omega2^2*b3 - 24*omega1^4*a2^2 -
-/// 3*omega1^3*omega2^3*b3 + 8*omega1^3*omega2*a1*a3 + 36*omega1^3*omega2*a2^2 + 6*omega1^3*omega2*a2*a4 +
-/// 48*omega1^3*omega2*a3^2 + 6*omega1^2*omega2^4*b3 - 16*omega1^2*omega2^2*a1*a3 + 24*omega1^2*omega2^2*a2^2 -
-/// 12*omega1^2*omega2^2*a2*a4 - 2*omega1*omega2^3*a1*a3 - 12*omega1*omega2^3*a3^2 +
-/// 4*omega2^4*a1*a3)/(48*omega1^7*omega2 - 144*omega1^6*omega2^2 + 84*omega1^5*omega2^3 + 36*omega1^4*omega2^4 -
-/// 24*omega1^3*omega2^5)
 /// lumps[20]: e2 = e2
-/// lumps[21]: harmonic_re_y_A_x_A_y_conjA_y = (24*omega1^6*omega2^2*b4 - 16*omega1^6*a3*a4 -
-/// 102*omega1^4*omega2^4*b4 - 24*omega1^4*omega2^2*a2*a3 + 100*omega1^4*omega2^2*a3*a4 + 24*omega1^2*omega2^6*b4
-/// + 100*omega1^2*omega2^4*a2*a3 - 24*omega1^2*omega2^4*a3*a4 - 16*omega2^6*a2*a3)/(4*omega1^8*omega2^2 -
-/// 21*omega1^6*omega2^4 + 21*omega1^4*omega2^6 - 4*omega1^2*omega2^8)
-/// lumps[22]: harmonic_re_y_A_x2_conjA_x = (36*omega1^4*omega2^2*b2 - 48*omega1^4*a2*a3 - 9*omega1^2*omega2^4*b2
-/// - 40*omega1^2*omega2^2*a1*a2 + 18*omega1^2*omega2^2*a2*a3 + 10*omega2^4*a1*a2)/(12*omega1^6*omega2^2 -
-/// 15*omega1^4*omega2^4 + 3*omega1^2*omega2^6)
-/// lumps[23]: harmonic_re_y_A_y2_conjA_x = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 - 9*omega1^3*omega2^3*b4
-/// - 12*omega1^3*omega2*a2*a3 - 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 + 36*omega1*omega2^5*b4 + 54*omega1*omega2^3*a2*a3 + 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 - 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 + 99*omega1^3*omega2^5 -
-/// 120*omega1^2*omega2^6 + 36*omega1*omega2^7)
-/// lumps[24]: harmonic_re_y_A_x2_A_y = (12*omega1^5*omega2*b3 + 24*omega1^4*omega2^2*b3 + 24*omega1^4*a2^2 -
-/// 3*omega1^3*omega2^3*b3 + 8*omega1^3*omega2*a1*a3 + 36*omega1^3*omega2*a2^2 + 6*omega1^3*omega2*a2*a4 +
-/// 48*omega1^3*omega2*a3^2 - 6*omega1^2*omega2^4*b3 + 16*omega1^2*omega2^2*a1*a3 - 24*omega1^2*omega2^2*a2^2 +
-/// 12*omega1^2*omega2^2*a2*a4 - 2*omega1*omega2^3*a1*a3 - 12*omega1*omega2^3*a3^2 -
-/// 4*omega2^4*a1*a3)/(48*omega1^7*omega2 + 144*omega1^6*omega2^2 + 84*omega1^5*omega2^3 - 36*omega1^4*omega2^4 -
-/// 24*omega1^3*omega2^5)
-/// lumps[25]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
-/// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
-/// lumps[26]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
-/// 12*omega1^3*omega2*a2*a3 + 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 - 36*omega1*omega2^5*b4 - 54*omega1*omega2^3*a2*a3 - 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 + 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 - 99*omega1^3*omega2^5 -
-/// 120*omega1^2*omega2^6 - 36*omega1*omega2^7)
-/// 968 operations.
+/// 0 operations.
 template <class Scalar>
 void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
   const Scalar a1 = parameters[2];
   const Scalar a2 = parameters[3];
   const Scalar a3 = parameters[4];
   const Scalar a4 = parameters[5];
-  const Scalar b1 = parameters[6];
-  const Scalar b2 = parameters[7];
-  const Scalar b3 = parameters[8];
-  const Scalar b4 = parameters[9];
-  const Scalar b5 = parameters[10];
   const Scalar mu1 = parameters[11];
   const Scalar e1 = parameters[12];
   const Scalar mu2 = parameters[13];
   const Scalar e2 = parameters[14];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega1_8 = omega1_7 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar omega2_8 = omega2_7 * omega2;
-  const Scalar a1_2 = a1 * a1;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
   lumps[0] = mu1;  // mu1
-  // conservative_x_A_x_A_y_conjA_y
-  lumps[1] = (Scalar(4.0) * omega1_6 * omega2_2 * b3 - Scalar(8.0) * omega1_6 * a2 * a4
-      - Scalar(17.0) * omega1_4 * omega2_4 * b3 - Scalar(8.0) * omega1_4 * omega2_2 * a1 * a3
-      - Scalar(4.0) * omega1_4 * omega2_2 * a2_2 + Scalar(34.0) * omega1_4 * omega2_2 * a2 * a4
-      + Scalar(16.0) * omega1_4 * omega2_2 * a3_2 + Scalar(4.0) * omega1_2 * omega2_6 * b3
-      + Scalar(34.0) * omega1_2 * omega2_4 * a1 * a3 + Scalar(16.0) * omega1_2 * omega2_4 * a2_2
-      - Scalar(8.0) * omega1_2 * omega2_4 * a2 * a4 - Scalar(4.0) * omega1_2 * omega2_4 * a3_2
-      - Scalar(8.0) * omega2_6 * a1 * a3) / (Scalar(4.0) * omega1_7 * omega2_2
-      - Scalar(17.0) * omega1_5 * omega2_4 + Scalar(4.0) * omega1_3 * omega2_6);
-  // conservative_x_A_x2_conjA_x
-  lumps[2] = (Scalar(36.0) * omega1_4 * omega2_2 * b1 - Scalar(48.0) * omega1_4 * a2_2
-      - Scalar(9.0) * omega1_2 * omega2_4 * b1 - Scalar(40.0) * omega1_2 * omega2_2 * a1_2
-      + Scalar(18.0) * omega1_2 * omega2_2 * a2_2
-      + Scalar(10.0) * omega2_4 * a1_2) / (Scalar(24.0) * omega1_5 * omega2_2
-      - Scalar(6.0) * omega1_3 * omega2_4);
+  lumps[1] = lump_1(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_A_y_conjA_y
+  lumps[2] = lump_2(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x2_conjA_x
   lumps[3] = e1;  // e1
-  // conservative_x_A_y_conjA_x2
-  lumps[4] = (Scalar(36.0) * omega1_5 * omega2 * b2 - Scalar(72.0) * omega1_4 * omega2_2 * b2
-      - Scalar(24.0) * omega1_4 * a1 * a2 - Scalar(9.0) * omega1_3 * omega2_3 * b2
-      + Scalar(44.0) * omega1_3 * omega2 * a1 * a2 + Scalar(54.0) * omega1_3 * omega2 * a2 * a3
-      + Scalar(18.0) * omega1_2 * omega2_4 * b2 + Scalar(8.0) * omega1_2 * omega2_2 * a1 * a2
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 - Scalar(2.0) * omega1 * omega2_3 * a1 * a2
-      - Scalar(12.0) * omega1 * omega2_3 * a2 * a3
-      + Scalar(4.0) * omega2_4 * a1 * a2) / (Scalar(24.0) * omega1_6 * omega2 - Scalar(48.0) * omega1_5 * omega2_2
-      - Scalar(6.0) * omega1_4 * omega2_3 + Scalar(12.0) * omega1_3 * omega2_4);
-  // conservative_y_A_x3
-  lumps[5] = (Scalar(12.0) * omega1_4 * b2 - Scalar(3.0) * omega1_2 * omega2_2 * b2
-      + Scalar(8.0) * omega1_2 * a1 * a2 + Scalar(6.0) * omega1_2 * a2 * a3
-      - Scalar(2.0) * omega2_2 * a1 * a2) / (Scalar(24.0) * omega1_4 * omega2
-      - Scalar(6.0) * omega1_2 * omega2_3);
+  lumps[4] = lump_0(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_y_conjA_x2
+  lumps[5] = lump_40(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x3
   lumps[6] = mu2;  // mu2
-  // conservative_y_A_y2_conjA_y
-  lumps[7] = (Scalar(9.0) * omega1_4 * omega2_2 * b5 - Scalar(10.0) * omega1_4 * a4_2
-      - Scalar(36.0) * omega1_2 * omega2_4 * b5 - Scalar(18.0) * omega1_2 * omega2_2 * a3_2
-      + Scalar(40.0) * omega1_2 * omega2_2 * a4_2
-      + Scalar(48.0) * omega2_4 * a3_2) / (Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_5);
+  lumps[7] = lump_9(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_y2_conjA_y
   lumps[8] = a2;  // a2
   lumps[9] = a1;  // a1
   lumps[10] = a3;  // a3
-  // harmonic_re_x_A_y2_conjA_x
-  lumps[11] = (-Scalar(6.0) * omega1_4 * omega2_2 * b3 - Scalar(4.0) * omega1_4 * a2 * a4
-      + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
-      + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 + Scalar(24.0) * omega1_2 * omega2_4 * b3
-      + Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 + Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
-      - Scalar(24.0) * omega1_2 * omega2_2 * a3_2 - Scalar(12.0) * omega1 * omega2_5 * b3
-      - Scalar(6.0) * omega1 * omega2_3 * a1 * a3 - Scalar(48.0) * omega1 * omega2_3 * a2_2
-      - Scalar(8.0) * omega1 * omega2_3 * a2 * a4 - Scalar(36.0) * omega1 * omega2_3 * a3_2
-      + Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 - Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 + Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7);
-  // harmonic_re_x_A_x2_A_y
-  lumps[12] = (Scalar(36.0) * omega1_5 * omega2 * b2 + Scalar(72.0) * omega1_4 * omega2_2 * b2
-      + Scalar(24.0) * omega1_4 * a1 * a2 - Scalar(9.0) * omega1_3 * omega2_3 * b2
-      + Scalar(44.0) * omega1_3 * omega2 * a1 * a2 + Scalar(54.0) * omega1_3 * omega2 * a2 * a3
-      - Scalar(18.0) * omega1_2 * omega2_4 * b2 - Scalar(8.0) * omega1_2 * omega2_2 * a1 * a2
-      + Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 - Scalar(2.0) * omega1 * omega2_3 * a1 * a2
-      - Scalar(12.0) * omega1 * omega2_3 * a2 * a3
-      - Scalar(4.0) * omega2_4 * a1 * a2) / (Scalar(36.0) * omega1_7 * omega2
-      + Scalar(120.0) * omega1_6 * omega2_2 + Scalar(99.0) * omega1_5 * omega2_3
-      - Scalar(6.0) * omega1_4 * omega2_4 - Scalar(27.0) * omega1_3 * omega2_5
-      - Scalar(6.0) * omega1_2 * omega2_6);
-  // harmonic_re_x_A_y2_conjA_y
-  lumps[13] = (-Scalar(9.0) * omega1_4 * omega2_2 * b4 + Scalar(10.0) * omega1_4 * a3 * a4
-      + Scalar(36.0) * omega1_2 * omega2_4 * b4 + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
-      - Scalar(40.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(48.0) * omega2_4 * a2 * a3) / (Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(12.0) * omega1_2 * omega2_6);
-  // harmonic_re_x_A_x_A_y_conjA_x
-  lumps[14] = (-Scalar(24.0) * omega1_6 * omega2_2 * b2 + Scalar(16.0) * omega1_6 * a2 * a3
-      + Scalar(102.0) * omega1_4 * omega2_4 * b2 + Scalar(24.0) * omega1_4 * omega2_2 * a1 * a2
-      - Scalar(100.0) * omega1_4 * omega2_2 * a2 * a3 - Scalar(24.0) * omega1_2 * omega2_6 * b2
-      - Scalar(100.0) * omega1_2 * omega2_4 * a1 * a2 + Scalar(24.0) * omega1_2 * omega2_4 * a2 * a3
-      + Scalar(16.0) * omega2_6 * a1 * a2) / (Scalar(4.0) * omega1_8 * omega2_2
-      - Scalar(21.0) * omega1_6 * omega2_4 + Scalar(21.0) * omega1_4 * omega2_6
-      - Scalar(4.0) * omega1_2 * omega2_8);
-  // harmonic_re_x_A_x3
-  lumps[15] = (Scalar(12.0) * omega1_4 * b1 - Scalar(3.0) * omega1_2 * omega2_2 * b1
-      + Scalar(8.0) * omega1_2 * a1_2 + Scalar(6.0) * omega1_2 * a2_2
-      - Scalar(2.0) * omega2_2 * a1_2) / (Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2);
-  // harmonic_re_x_A_y3
-  lumps[16] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
-      + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
-      + Scalar(8.0) * omega2_2 * a3 * a4) / (Scalar(3.0) * omega1_4 * omega2_2
-      - Scalar(39.0) * omega1_2 * omega2_4 + Scalar(108.0) * omega2_6);
-  // harmonic_re_x_A_x_A_y2
-  lumps[17] = (Scalar(6.0) * omega1_4 * omega2_2 * b3 + Scalar(4.0) * omega1_4 * a2 * a4
-      + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
-      + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 - Scalar(24.0) * omega1_2 * omega2_4 * b3
-      - Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 - Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
-      + Scalar(24.0) * omega1_2 * omega2_2 * a3_2 - Scalar(12.0) * omega1 * omega2_5 * b3
-      - Scalar(6.0) * omega1 * omega2_3 * a1 * a3 - Scalar(48.0) * omega1 * omega2_3 * a2_2
-      - Scalar(8.0) * omega1 * omega2_3 * a2 * a4 - Scalar(36.0) * omega1 * omega2_3 * a3_2
-      - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7);
+  lumps[11] = lump_41(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_x
+  lumps[12] = lump_13(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x2_A_y
+  lumps[13] = lump_25(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_y
+  lumps[14] = lump_42(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y_conjA_x
+  lumps[15] = lump_14(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x3
+  lumps[16] = lump_11(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y3
+  lumps[17] = lump_12(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y2
   lumps[18] = a4;  // a4
-  // harmonic_re_y_A_y_conjA_x2
-  lumps[19] = (Scalar(12.0) * omega1_5 * omega2 * b3 - Scalar(24.0) * omega1_4 * omega2_2 * b3
-      - Scalar(24.0) * omega1_4 * a2_2 - Scalar(3.0) * omega1_3 * omega2_3 * b3
-      + Scalar(8.0) * omega1_3 * omega2 * a1 * a3 + Scalar(36.0) * omega1_3 * omega2 * a2_2
-      + Scalar(6.0) * omega1_3 * omega2 * a2 * a4 + Scalar(48.0) * omega1_3 * omega2 * a3_2
-      + Scalar(6.0) * omega1_2 * omega2_4 * b3 - Scalar(16.0) * omega1_2 * omega2_2 * a1 * a3
-      + Scalar(24.0) * omega1_2 * omega2_2 * a2_2 - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a4
-      - Scalar(2.0) * omega1 * omega2_3 * a1 * a3 - Scalar(12.0) * omega1 * omega2_3 * a3_2
-      + Scalar(4.0) * omega2_4 * a1 * a3) / (Scalar(48.0) * omega1_7 * omega2
-      - Scalar(144.0) * omega1_6 * omega2_2 + Scalar(84.0) * omega1_5 * omega2_3
-      + Scalar(36.0) * omega1_4 * omega2_4 - Scalar(24.0) * omega1_3 * omega2_5);
+  lumps[19] = lump_43(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y_conjA_x2
   lumps[20] = e2;  // e2
-  // harmonic_re_y_A_x_A_y_conjA_y
-  lumps[21] = (Scalar(24.0) * omega1_6 * omega2_2 * b4 - Scalar(16.0) * omega1_6 * a3 * a4
-      - Scalar(102.0) * omega1_4 * omega2_4 * b4 - Scalar(24.0) * omega1_4 * omega2_2 * a2 * a3
-      + Scalar(100.0) * omega1_4 * omega2_2 * a3 * a4 + Scalar(24.0) * omega1_2 * omega2_6 * b4
-      + Scalar(100.0) * omega1_2 * omega2_4 * a2 * a3 - Scalar(24.0) * omega1_2 * omega2_4 * a3 * a4
-      - Scalar(16.0) * omega2_6 * a2 * a3) / (Scalar(4.0) * omega1_8 * omega2_2
-      - Scalar(21.0) * omega1_6 * omega2_4 + Scalar(21.0) * omega1_4 * omega2_6
-      - Scalar(4.0) * omega1_2 * omega2_8);
-  // harmonic_re_y_A_x2_conjA_x
-  lumps[22] = (Scalar(36.0) * omega1_4 * omega2_2 * b2 - Scalar(48.0) * omega1_4 * a2 * a3
-      - Scalar(9.0) * omega1_2 * omega2_4 * b2 - Scalar(40.0) * omega1_2 * omega2_2 * a1 * a2
-      + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
-      + Scalar(10.0) * omega2_4 * a1 * a2) / (Scalar(12.0) * omega1_6 * omega2_2
-      - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(3.0) * omega1_2 * omega2_6);
-  // harmonic_re_y_A_y2_conjA_x
-  lumps[23] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
-      - Scalar(9.0) * omega1_3 * omega2_3 * b4 - Scalar(12.0) * omega1_3 * omega2 * a2 * a3
-      - Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
-      + Scalar(36.0) * omega1 * omega2_5 * b4 + Scalar(54.0) * omega1 * omega2_3 * a2 * a3
-      + Scalar(44.0) * omega1 * omega2_3 * a3 * a4
-      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(6.0) * omega1_6 * omega2_2
-      - Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
-      + Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
-      + Scalar(36.0) * omega1 * omega2_7);
-  // harmonic_re_y_A_x2_A_y
-  lumps[24] = (Scalar(12.0) * omega1_5 * omega2 * b3 + Scalar(24.0) * omega1_4 * omega2_2 * b3
-      + Scalar(24.0) * omega1_4 * a2_2 - Scalar(3.0) * omega1_3 * omega2_3 * b3
-      + Scalar(8.0) * omega1_3 * omega2 * a1 * a3 + Scalar(36.0) * omega1_3 * omega2 * a2_2
-      + Scalar(6.0) * omega1_3 * omega2 * a2 * a4 + Scalar(48.0) * omega1_3 * omega2 * a3_2
-      - Scalar(6.0) * omega1_2 * omega2_4 * b3 + Scalar(16.0) * omega1_2 * omega2_2 * a1 * a3
-      - Scalar(24.0) * omega1_2 * omega2_2 * a2_2 + Scalar(12.0) * omega1_2 * omega2_2 * a2 * a4
-      - Scalar(2.0) * omega1 * omega2_3 * a1 * a3 - Scalar(12.0) * omega1 * omega2_3 * a3_2
-      - Scalar(4.0) * omega2_4 * a1 * a3) / (Scalar(48.0) * omega1_7 * omega2
-      + Scalar(144.0) * omega1_6 * omega2_2 + Scalar(84.0) * omega1_5 * omega2_3
-      - Scalar(36.0) * omega1_4 * omega2_4 - Scalar(24.0) * omega1_3 * omega2_5);
-  // harmonic_re_y_A_y3
-  lumps[25] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
-      - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
-      - Scalar(8.0) * omega2_2 * a4_2) / (Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6);
-  // harmonic_re_y_A_x_A_y2
-  lumps[26] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
-      + Scalar(9.0) * omega1_3 * omega2_3 * b4 + Scalar(12.0) * omega1_3 * omega2 * a2 * a3
-      + Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_5 * b4 - Scalar(54.0) * omega1 * omega2_3 * a2 * a3
-      - Scalar(44.0) * omega1 * omega2_3 * a3 * a4
-      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(6.0) * omega1_6 * omega2_2
-      + Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
-      - Scalar(36.0) * omega1 * omega2_7);
-}
-
-/// gradient[p] = d conservative_x_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 105 operations.
-template <class Scalar>
-void lump_gradient_1(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(4.0) * omega1_7 * omega2_2 - Scalar(17.0) * omega1_5 * omega2_4
-      + Scalar(4.0) * omega1_3 * omega2_6;
-  // multiplies a1*a3
-  const Scalar c_0 = -Scalar(8.0) * omega1_4 * omega2_2 + Scalar(34.0) * omega1_2 * omega2_4
-      - Scalar(8.0) * omega2_6;
-  const Scalar c_1 = -Scalar(4.0) * omega1_4 * omega2_2 + Scalar(16.0) * omega1_2 * omega2_4;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(8.0) * omega1_6 + Scalar(34.0) * omega1_4 * omega2_2
-      - Scalar(8.0) * omega1_2 * omega2_4;
-  const Scalar c_3 = Scalar(16.0) * omega1_4 * omega2_2 - Scalar(4.0) * omega1_2 * omega2_4;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(4.0) * omega1_6 * omega2_2 - Scalar(17.0) * omega1_4 * omega2_4
-      + Scalar(4.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = Scalar(4.0) * b3;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a2 * a4;  // multiplies omega1^6
-  const Scalar w_2 = -Scalar(17.0) * b3;  // multiplies omega1^4*omega2^4
-  // multiplies omega1^4*omega2^2
-  const Scalar w_3 = -Scalar(8.0) * a1 * a3 - Scalar(4.0) * a2_2 + Scalar(34.0) * a2 * a4 + Scalar(16.0) * a3_2;
-  const Scalar w_4 = Scalar(4.0) * b3;  // multiplies omega1^2*omega2^6
-  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = Scalar(34.0) * a1 * a3 + Scalar(16.0) * a2_2 - Scalar(8.0) * a2 * a4 - Scalar(4.0) * a3_2;
-  const Scalar w_6 = -Scalar(8.0) * a1 * a3;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(28.0) * omega1_6 * omega2_2 - Scalar(85.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(8.0) * omega1_7 * omega2 - Scalar(68.0) * omega1_5 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_5)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d conservative_x_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_2(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b1 = parameters[6];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar a1_2 = a1 * a1;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_2 - Scalar(6.0) * omega1_3 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(144.0) * omega1_3 * omega2_2 * b1 - Scalar(192.0) * omega1_3 * a2_2
-      - Scalar(18.0) * omega1 * omega2_4 * b1 - Scalar(80.0) * omega1 * omega2_2 * a1_2
-      + Scalar(36.0) * omega1 * omega2_2 * a2_2 - lump * (Scalar(120.0) * omega1_4 * omega2_2
-      - Scalar(18.0) * omega1_2 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(72.0) * omega1_4 * omega2 * b1 - Scalar(36.0) * omega1_2 * omega2_3 * b1
-      - Scalar(80.0) * omega1_2 * omega2 * a1_2 + Scalar(36.0) * omega1_2 * omega2 * a2_2
-      + Scalar(40.0) * omega2_3 * a1_2 - lump * (Scalar(48.0) * omega1_5 * omega2
-      - Scalar(24.0) * omega1_3 * omega2_3)) / denominator;
-  gradient[2] = (-Scalar(80.0) * omega1_2 * omega2_2 * a1 + Scalar(20.0) * omega2_4 * a1) / denominator;  // by a1
-  gradient[3] = (-Scalar(96.0) * omega1_4 * a2 + Scalar(36.0) * omega1_2 * omega2_2 * a2) / denominator;  // by a2
-  gradient[6] = (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_2 * omega2_4) / denominator;  // by b1
-}
-
-/// gradient[p] = d conservative_x_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 110 operations.
-template <class Scalar>
-void lump_gradient_4(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(24.0) * omega1_6 * omega2 - Scalar(48.0) * omega1_5 * omega2_2
-      - Scalar(6.0) * omega1_4 * omega2_3 + Scalar(12.0) * omega1_3 * omega2_4;
-  // multiplies a1*a2
-  const Scalar c_0 = -Scalar(24.0) * omega1_4 + Scalar(44.0) * omega1_3 * omega2
-      + Scalar(8.0) * omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3 + Scalar(4.0) * omega2_4;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(54.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(12.0) * omega1 * omega2_3;
-  // multiplies b2
-  const Scalar c_2 = Scalar(36.0) * omega1_5 * omega2 - Scalar(72.0) * omega1_4 * omega2_2
-      - Scalar(9.0) * omega1_3 * omega2_3 + Scalar(18.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(36.0) * b2;  // multiplies omega1^5*omega2
-  const Scalar w_1 = -Scalar(72.0) * b2;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = -Scalar(24.0) * a1 * a2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(9.0) * b2;  // multiplies omega1^3*omega2^3
-  const Scalar w_4 = Scalar(44.0) * a1 * a2 + Scalar(54.0) * a2 * a3;  // multiplies omega1^3*omega2
-  const Scalar w_5 = Scalar(18.0) * b2;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = Scalar(8.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1^2*omega2^2
-  const Scalar w_7 = -Scalar(2.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1*omega2^3
-  const Scalar w_8 = Scalar(4.0) * a1 * a2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(144.0) * omega1_5 * omega2
-      - Scalar(240.0) * omega1_4 * omega2_2 - Scalar(24.0) * omega1_3 * omega2_3
-      + Scalar(36.0) * omega1_2 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(24.0) * omega1_6
-      - Scalar(96.0) * omega1_5 * omega2 - Scalar(18.0) * omega1_4 * omega2_2
-      + Scalar(48.0) * omega1_3 * omega2_3)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d conservative_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 54 operations.
-template <class Scalar>
-void lump_gradient_5(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar denominator = Scalar(24.0) * omega1_4 * omega2 - Scalar(6.0) * omega1_2 * omega2_3;
-  // by omega1
-  gradient[0] = (Scalar(48.0) * omega1_3 * b2 - Scalar(6.0) * omega1 * omega2_2 * b2
-      + Scalar(16.0) * omega1 * a1 * a2 + Scalar(12.0) * omega1 * a2 * a3
-      - lump * (Scalar(96.0) * omega1_3 * omega2 - Scalar(12.0) * omega1 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b2 - Scalar(4.0) * omega2 * a1 * a2
-      - lump * (Scalar(24.0) * omega1_4 - Scalar(18.0) * omega1_2 * omega2_2)) / denominator;
-  gradient[2] = (Scalar(8.0) * omega1_2 * a2 - Scalar(2.0) * omega2_2 * a2) / denominator;  // by a1
-  // by a2
-  gradient[3] = (Scalar(8.0) * omega1_2 * a1 + Scalar(6.0) * omega1_2 * a3
-      - Scalar(2.0) * omega2_2 * a1) / denominator;
-  gradient[4] = (Scalar(6.0) * omega1_2 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(12.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d conservative_y_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_7(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(6.0) * omega1_4 * omega2_3 - Scalar(24.0) * omega1_2 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(36.0) * omega1_3 * omega2_2 * b5 - Scalar(40.0) * omega1_3 * a4_2
-      - Scalar(72.0) * omega1 * omega2_4 * b5 - Scalar(36.0) * omega1 * omega2_2 * a3_2
-      + Scalar(80.0) * omega1 * omega2_2 * a4_2 - lump * (Scalar(24.0) * omega1_3 * omega2_3
-      - Scalar(48.0) * omega1 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_4 * omega2 * b5 - Scalar(144.0) * omega1_2 * omega2_3 * b5
-      - Scalar(36.0) * omega1_2 * omega2 * a3_2 + Scalar(80.0) * omega1_2 * omega2 * a4_2
-      + Scalar(192.0) * omega2_3 * a3_2 - lump * (Scalar(18.0) * omega1_4 * omega2_2
-      - Scalar(120.0) * omega1_2 * omega2_4)) / denominator;
-  gradient[4] = (-Scalar(36.0) * omega1_2 * omega2_2 * a3 + Scalar(96.0) * omega2_4 * a3) / denominator;  // by a3
-  gradient[5] = (-Scalar(20.0) * omega1_4 * a4 + Scalar(80.0) * omega1_2 * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(9.0) * omega1_4 * omega2_2 - Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_11(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_3 - Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 + Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7;
-  const Scalar c_0 = Scalar(12.0) * omega1_2 * omega2_2 - Scalar(6.0) * omega1 * omega2_3;  // multiplies a1*a3
-  const Scalar c_1 = Scalar(12.0) * omega1_3 * omega2 - Scalar(48.0) * omega1 * omega2_3;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2
-      + Scalar(16.0) * omega1_2 * omega2_2 - Scalar(8.0) * omega1 * omega2_3;
-  // multiplies a3^2
-  const Scalar c_3 = -Scalar(24.0) * omega1_2 * omega2_2 - Scalar(36.0) * omega1 * omega2_3
-      + Scalar(24.0) * omega2_4;
-  // multiplies b3
-  const Scalar c_4 = -Scalar(6.0) * omega1_4 * omega2_2 + Scalar(3.0) * omega1_3 * omega2_3
-      + Scalar(24.0) * omega1_2 * omega2_4 - Scalar(12.0) * omega1 * omega2_5;
-  const Scalar w_0 = -Scalar(6.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = -Scalar(4.0) * a2 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2_2 + Scalar(2.0) * a2 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = Scalar(24.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_5 = Scalar(12.0) * a1 * a3 + Scalar(16.0) * a2 * a4 - Scalar(24.0) * a3_2;
-  const Scalar w_6 = -Scalar(12.0) * b3;  // multiplies omega1*omega2^5
-  // multiplies omega1*omega2^3
-  const Scalar w_7 = -Scalar(6.0) * a1 * a3 - Scalar(48.0) * a2_2 - Scalar(8.0) * a2 * a4 - Scalar(36.0) * a3_2;
-  const Scalar w_8 = Scalar(24.0) * a3_2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(120.0) * omega1_4 * omega2_3 - Scalar(144.0) * omega1_3 * omega2_4
-      - Scalar(252.0) * omega1_2 * omega2_5 + Scalar(288.0) * omega1 * omega2_6
-      - Scalar(48.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(72.0) * omega1_5 * omega2_2
-      - Scalar(144.0) * omega1_4 * omega2_3 - Scalar(420.0) * omega1_3 * omega2_4
-      + Scalar(864.0) * omega1_2 * omega2_5 - Scalar(336.0) * omega1 * omega2_6)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_x_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_12(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(36.0) * omega1_7 * omega2 + Scalar(120.0) * omega1_6 * omega2_2
-      + Scalar(99.0) * omega1_5 * omega2_3 - Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(27.0) * omega1_3 * omega2_5 - Scalar(6.0) * omega1_2 * omega2_6;
-  // multiplies a1*a2
-  const Scalar c_0 = Scalar(24.0) * omega1_4 + Scalar(44.0) * omega1_3 * omega2
-      - Scalar(8.0) * omega1_2 * omega2_2 - Scalar(2.0) * omega1 * omega2_3 - Scalar(4.0) * omega2_4;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(54.0) * omega1_3 * omega2 + Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(12.0) * omega1 * omega2_3;
-  // multiplies b2
-  const Scalar c_2 = Scalar(36.0) * omega1_5 * omega2 + Scalar(72.0) * omega1_4 * omega2_2
-      - Scalar(9.0) * omega1_3 * omega2_3 - Scalar(18.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(36.0) * b2;  // multiplies omega1^5*omega2
-  const Scalar w_1 = Scalar(72.0) * b2;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = Scalar(24.0) * a1 * a2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(9.0) * b2;  // multiplies omega1^3*omega2^3
-  const Scalar w_4 = Scalar(44.0) * a1 * a2 + Scalar(54.0) * a2 * a3;  // multiplies omega1^3*omega2
-  const Scalar w_5 = -Scalar(18.0) * b2;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = -Scalar(8.0) * a1 * a2 + Scalar(12.0) * a2 * a3;  // multiplies omega1^2*omega2^2
-  const Scalar w_7 = -Scalar(2.0) * a1 * a2 - Scalar(12.0) * a2 * a3;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(4.0) * a1 * a2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(252.0) * omega1_6 * omega2
-      + Scalar(720.0) * omega1_5 * omega2_2 + Scalar(495.0) * omega1_4 * omega2_3
-      - Scalar(24.0) * omega1_3 * omega2_4 - Scalar(81.0) * omega1_2 * omega2_5
-      - Scalar(12.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(36.0) * omega1_7
-      + Scalar(240.0) * omega1_6 * omega2 + Scalar(297.0) * omega1_5 * omega2_2
-      - Scalar(24.0) * omega1_4 * omega2_3 - Scalar(135.0) * omega1_3 * omega2_4
-      - Scalar(36.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 96 operations.
-template <class Scalar>
-void lump_gradient_13(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(36.0) * omega1_3 * omega2_2 * b4 + Scalar(40.0) * omega1_3 * a3 * a4
-      + Scalar(72.0) * omega1 * omega2_4 * b4 + Scalar(36.0) * omega1 * omega2_2 * a2 * a3
-      - Scalar(80.0) * omega1 * omega2_2 * a3 * a4 - lump * (Scalar(18.0) * omega1_5 * omega2_2
-      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(18.0) * omega1_4 * omega2 * b4 + Scalar(144.0) * omega1_2 * omega2_3 * b4
-      + Scalar(36.0) * omega1_2 * omega2 * a2 * a3 - Scalar(80.0) * omega1_2 * omega2 * a3 * a4
-      - Scalar(192.0) * omega2_3 * a2 * a3 - lump * (Scalar(6.0) * omega1_6 * omega2
-      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[3] = (Scalar(18.0) * omega1_2 * omega2_2 * a3 - Scalar(48.0) * omega2_4 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(10.0) * omega1_4 * a4 + Scalar(18.0) * omega1_2 * omega2_2 * a2
-      - Scalar(40.0) * omega1_2 * omega2_2 * a4 - Scalar(48.0) * omega2_4 * a2) / denominator;
-  gradient[5] = (Scalar(10.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(9.0) * omega1_4 * omega2_2 + Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 94 operations.
-template <class Scalar>
-void lump_gradient_14(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega1_8 = omega1_7 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar omega2_8 = omega2_7 * omega2;
-  const Scalar denominator = Scalar(4.0) * omega1_8 * omega2_2 - Scalar(21.0) * omega1_6 * omega2_4
-      + Scalar(21.0) * omega1_4 * omega2_6 - Scalar(4.0) * omega1_2 * omega2_8;
-  // multiplies a1*a2
-  const Scalar c_0 = Scalar(24.0) * omega1_4 * omega2_2 - Scalar(100.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega2_6;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(16.0) * omega1_6 - Scalar(100.0) * omega1_4 * omega2_2
-      + Scalar(24.0) * omega1_2 * omega2_4;
-  // multiplies b2
-  const Scalar c_2 = -Scalar(24.0) * omega1_6 * omega2_2 + Scalar(102.0) * omega1_4 * omega2_4
-      - Scalar(24.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = -Scalar(24.0) * b2;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = Scalar(16.0) * a2 * a3;  // multiplies omega1^6
-  const Scalar w_2 = Scalar(102.0) * b2;  // multiplies omega1^4*omega2^4
-  const Scalar w_3 = Scalar(24.0) * a1 * a2 - Scalar(100.0) * a2 * a3;  // multiplies omega1^4*omega2^2
-  const Scalar w_4 = -Scalar(24.0) * b2;  // multiplies omega1^2*omega2^6
-  const Scalar w_5 = -Scalar(100.0) * a1 * a2 + Scalar(24.0) * a2 * a3;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = Scalar(16.0) * a1 * a2;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(32.0) * omega1_7 * omega2_2 - Scalar(126.0) * omega1_5 * omega2_4
-      + Scalar(84.0) * omega1_3 * omega2_6 - Scalar(8.0) * omega1 * omega2_8)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(8.0) * omega1_8 * omega2 - Scalar(84.0) * omega1_6 * omega2_3
-      + Scalar(126.0) * omega1_4 * omega2_5 - Scalar(32.0) * omega1_2 * omega2_7)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_15(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b1 = parameters[6];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar a1_2 = a1 * a1;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(96.0) * omega1_6 - Scalar(24.0) * omega1_4 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(48.0) * omega1_3 * b1 - Scalar(6.0) * omega1 * omega2_2 * b1
-      + Scalar(16.0) * omega1 * a1_2 + Scalar(12.0) * omega1 * a2_2 - lump * (Scalar(576.0) * omega1_5
-      - Scalar(96.0) * omega1_3 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b1 - Scalar(4.0) * omega2 * a1_2
-      - lump * (-Scalar(48.0) * omega1_4 * omega2)) / denominator;
-  gradient[2] = (Scalar(16.0) * omega1_2 * a1 - Scalar(4.0) * omega2_2 * a1) / denominator;  // by a1
-  gradient[3] = (Scalar(12.0) * omega1_2 * a2) / denominator;  // by a2
-  gradient[6] = (Scalar(12.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2) / denominator;  // by b1
-}
-
-/// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 59 operations.
-template <class Scalar>
-void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(39.0) * omega1_2 * omega2_4
-      + Scalar(108.0) * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * omega2_2 * b4 - Scalar(4.0) * omega1 * a3 * a4
-      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(78.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b4 + Scalar(48.0) * omega2_3 * b4
-      + Scalar(12.0) * omega2 * a2 * a3 + Scalar(16.0) * omega2 * a3 * a4
-      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(156.0) * omega1_2 * omega2_3
-      + Scalar(648.0) * omega2_5)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * a4 + Scalar(6.0) * omega2_2 * a2
-      + Scalar(8.0) * omega2_2 * a4) / denominator;
-  gradient[5] = (-Scalar(2.0) * omega1_2 * a3 + Scalar(8.0) * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(3.0) * omega1_2 * omega2_2 + Scalar(12.0) * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7;
-  const Scalar c_0 = -Scalar(12.0) * omega1_2 * omega2_2 - Scalar(6.0) * omega1 * omega2_3;  // multiplies a1*a3
-  const Scalar c_1 = Scalar(12.0) * omega1_3 * omega2 - Scalar(48.0) * omega1 * omega2_3;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 - Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(8.0) * omega1 * omega2_3;
-  // multiplies a3^2
-  const Scalar c_3 = Scalar(24.0) * omega1_2 * omega2_2 - Scalar(36.0) * omega1 * omega2_3
-      - Scalar(24.0) * omega2_4;
-  // multiplies b3
-  const Scalar c_4 = Scalar(6.0) * omega1_4 * omega2_2 + Scalar(3.0) * omega1_3 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_4 - Scalar(12.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(6.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a2 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2_2 + Scalar(2.0) * a2 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(24.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_5 = -Scalar(12.0) * a1 * a3 - Scalar(16.0) * a2 * a4 + Scalar(24.0) * a3_2;
-  const Scalar w_6 = -Scalar(12.0) * b3;  // multiplies omega1*omega2^5
-  // multiplies omega1*omega2^3
-  const Scalar w_7 = -Scalar(6.0) * a1 * a3 - Scalar(48.0) * a2_2 - Scalar(8.0) * a2 * a4 - Scalar(36.0) * a3_2;
-  const Scalar w_8 = -Scalar(24.0) * a3_2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(120.0) * omega1_4 * omega2_3 + Scalar(144.0) * omega1_3 * omega2_4
-      - Scalar(252.0) * omega1_2 * omega2_5 - Scalar(288.0) * omega1 * omega2_6
-      - Scalar(48.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(72.0) * omega1_5 * omega2_2
-      + Scalar(144.0) * omega1_4 * omega2_3 - Scalar(420.0) * omega1_3 * omega2_4
-      - Scalar(864.0) * omega1_2 * omega2_5 - Scalar(336.0) * omega1 * omega2_6)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_19(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(48.0) * omega1_7 * omega2 - Scalar(144.0) * omega1_6 * omega2_2
-      + Scalar(84.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(24.0) * omega1_3 * omega2_5;
-  // multiplies a1*a3
-  const Scalar c_0 = Scalar(8.0) * omega1_3 * omega2 - Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(2.0) * omega1 * omega2_3 + Scalar(4.0) * omega2_4;
-  // multiplies a2^2
-  const Scalar c_1 = -Scalar(24.0) * omega1_4 + Scalar(36.0) * omega1_3 * omega2
-      + Scalar(24.0) * omega1_2 * omega2_2;
-  const Scalar c_2 = Scalar(6.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2;  // multiplies a2*a4
-  const Scalar c_3 = Scalar(48.0) * omega1_3 * omega2 - Scalar(12.0) * omega1 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(12.0) * omega1_5 * omega2 - Scalar(24.0) * omega1_4 * omega2_2
-      - Scalar(3.0) * omega1_3 * omega2_3 + Scalar(6.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(12.0) * b3;  // multiplies omega1^5*omega2
-  const Scalar w_1 = -Scalar(24.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = -Scalar(24.0) * a2_2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  // multiplies omega1^3*omega2
-  const Scalar w_4 = Scalar(8.0) * a1 * a3 + Scalar(36.0) * a2_2 + Scalar(6.0) * a2 * a4 + Scalar(48.0) * a3_2;
-  const Scalar w_5 = Scalar(6.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = -Scalar(16.0) * a1 * a3 + Scalar(24.0) * a2_2 - Scalar(12.0) * a2 * a4;
-  const Scalar w_7 = -Scalar(2.0) * a1 * a3 - Scalar(12.0) * a3_2;  // multiplies omega1*omega2^3
-  const Scalar w_8 = Scalar(4.0) * a1 * a3;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(336.0) * omega1_6 * omega2
-      - Scalar(864.0) * omega1_5 * omega2_2 + Scalar(420.0) * omega1_4 * omega2_3
-      + Scalar(144.0) * omega1_3 * omega2_4 - Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(48.0) * omega1_7
-      - Scalar(288.0) * omega1_6 * omega2 + Scalar(252.0) * omega1_5 * omega2_2
-      + Scalar(144.0) * omega1_4 * omega2_3 - Scalar(120.0) * omega1_3 * omega2_4)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 94 operations.
-template <class Scalar>
-void lump_gradient_21(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega1_8 = omega1_7 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar omega2_8 = omega2_7 * omega2;
-  const Scalar denominator = Scalar(4.0) * omega1_8 * omega2_2 - Scalar(21.0) * omega1_6 * omega2_4
-      + Scalar(21.0) * omega1_4 * omega2_6 - Scalar(4.0) * omega1_2 * omega2_8;
-  // multiplies a2*a3
-  const Scalar c_0 = -Scalar(24.0) * omega1_4 * omega2_2 + Scalar(100.0) * omega1_2 * omega2_4
-      - Scalar(16.0) * omega2_6;
-  // multiplies a3*a4
-  const Scalar c_1 = -Scalar(16.0) * omega1_6 + Scalar(100.0) * omega1_4 * omega2_2
-      - Scalar(24.0) * omega1_2 * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(24.0) * omega1_6 * omega2_2 - Scalar(102.0) * omega1_4 * omega2_4
-      + Scalar(24.0) * omega1_2 * omega2_6;
-  const Scalar w_0 = Scalar(24.0) * b4;  // multiplies omega1^6*omega2^2
-  const Scalar w_1 = -Scalar(16.0) * a3 * a4;  // multiplies omega1^6
-  const Scalar w_2 = -Scalar(102.0) * b4;  // multiplies omega1^4*omega2^4
-  const Scalar w_3 = -Scalar(24.0) * a2 * a3 + Scalar(100.0) * a3 * a4;  // multiplies omega1^4*omega2^2
-  const Scalar w_4 = Scalar(24.0) * b4;  // multiplies omega1^2*omega2^6
-  const Scalar w_5 = Scalar(100.0) * a2 * a3 - Scalar(24.0) * a3 * a4;  // multiplies omega1^2*omega2^4
-  const Scalar w_6 = -Scalar(16.0) * a2 * a3;  // multiplies omega2^6
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_5 * omega2_2 * w_0 + Scalar(6.0) * omega1_5 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_4 * w_2 + Scalar(4.0) * omega1_3 * omega2_2 * w_3
-      + Scalar(2.0) * omega1 * omega2_6 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      - lump * (Scalar(32.0) * omega1_7 * omega2_2 - Scalar(126.0) * omega1_5 * omega2_4
-      + Scalar(84.0) * omega1_3 * omega2_6 - Scalar(8.0) * omega1 * omega2_8)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_6 * omega2 * w_0 + Scalar(4.0) * omega1_4 * omega2_3 * w_2
-      + Scalar(2.0) * omega1_4 * omega2 * w_3 + Scalar(6.0) * omega1_2 * omega2_5 * w_4
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(6.0) * omega2_5 * w_6
-      - lump * (Scalar(8.0) * omega1_8 * omega2 - Scalar(84.0) * omega1_6 * omega2_3
-      + Scalar(126.0) * omega1_4 * omega2_5 - Scalar(32.0) * omega1_2 * omega2_7)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 96 operations.
-template <class Scalar>
-void lump_gradient_22(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(12.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
-      + Scalar(3.0) * omega1_2 * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(144.0) * omega1_3 * omega2_2 * b2 - Scalar(192.0) * omega1_3 * a2 * a3
-      - Scalar(18.0) * omega1 * omega2_4 * b2 - Scalar(80.0) * omega1 * omega2_2 * a1 * a2
-      + Scalar(36.0) * omega1 * omega2_2 * a2 * a3 - lump * (Scalar(72.0) * omega1_5 * omega2_2
-      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(6.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(72.0) * omega1_4 * omega2 * b2 - Scalar(36.0) * omega1_2 * omega2_3 * b2
-      - Scalar(80.0) * omega1_2 * omega2 * a1 * a2 + Scalar(36.0) * omega1_2 * omega2 * a2 * a3
-      + Scalar(40.0) * omega2_3 * a1 * a2 - lump * (Scalar(24.0) * omega1_6 * omega2
-      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(18.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[2] = (-Scalar(40.0) * omega1_2 * omega2_2 * a2 + Scalar(10.0) * omega2_4 * a2) / denominator;  // by a1
-  // by a2
-  gradient[3] = (-Scalar(48.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a1
-      + Scalar(18.0) * omega1_2 * omega2_2 * a3 + Scalar(10.0) * omega2_4 * a1) / denominator;
-  gradient[4] = (-Scalar(48.0) * omega1_4 * a2 + Scalar(18.0) * omega1_2 * omega2_2 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_2 * omega2_4) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_23(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 - Scalar(27.0) * omega1_5 * omega2_3
-      + Scalar(6.0) * omega1_4 * omega2_4 + Scalar(99.0) * omega1_3 * omega2_5
-      - Scalar(120.0) * omega1_2 * omega2_6 + Scalar(36.0) * omega1 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = -Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      + Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 - Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      + Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 - Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 + Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = -Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = -Scalar(12.0) * a2 * a3 - Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = Scalar(54.0) * a2 * a3 + Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 - Scalar(135.0) * omega1_4 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_4 + Scalar(297.0) * omega1_2 * omega2_5
-      - Scalar(240.0) * omega1 * omega2_6 + Scalar(36.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
-      - Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
-      + Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
-      + Scalar(252.0) * omega1 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(48.0) * omega1_7 * omega2 + Scalar(144.0) * omega1_6 * omega2_2
-      + Scalar(84.0) * omega1_5 * omega2_3 - Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(24.0) * omega1_3 * omega2_5;
-  // multiplies a1*a3
-  const Scalar c_0 = Scalar(8.0) * omega1_3 * omega2 + Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(2.0) * omega1 * omega2_3 - Scalar(4.0) * omega2_4;
-  // multiplies a2^2
-  const Scalar c_1 = Scalar(24.0) * omega1_4 + Scalar(36.0) * omega1_3 * omega2
-      - Scalar(24.0) * omega1_2 * omega2_2;
-  const Scalar c_2 = Scalar(6.0) * omega1_3 * omega2 + Scalar(12.0) * omega1_2 * omega2_2;  // multiplies a2*a4
-  const Scalar c_3 = Scalar(48.0) * omega1_3 * omega2 - Scalar(12.0) * omega1 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(12.0) * omega1_5 * omega2 + Scalar(24.0) * omega1_4 * omega2_2
-      - Scalar(3.0) * omega1_3 * omega2_3 - Scalar(6.0) * omega1_2 * omega2_4;
-  const Scalar w_0 = Scalar(12.0) * b3;  // multiplies omega1^5*omega2
-  const Scalar w_1 = Scalar(24.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_2 = Scalar(24.0) * a2_2;  // multiplies omega1^4
-  const Scalar w_3 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  // multiplies omega1^3*omega2
-  const Scalar w_4 = Scalar(8.0) * a1 * a3 + Scalar(36.0) * a2_2 + Scalar(6.0) * a2 * a4 + Scalar(48.0) * a3_2;
-  const Scalar w_5 = -Scalar(6.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = Scalar(16.0) * a1 * a3 - Scalar(24.0) * a2_2 + Scalar(12.0) * a2 * a4;
-  const Scalar w_7 = -Scalar(2.0) * a1 * a3 - Scalar(12.0) * a3_2;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(4.0) * a1 * a3;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2 * w_0 + Scalar(4.0) * omega1_3 * omega2_2 * w_1
-      + Scalar(4.0) * omega1_3 * w_2 + Scalar(3.0) * omega1_2 * omega2_3 * w_3
-      + Scalar(3.0) * omega1_2 * omega2 * w_4 + Scalar(2.0) * omega1 * omega2_4 * w_5
-      + Scalar(2.0) * omega1 * omega2_2 * w_6 + omega2_3 * w_7 - lump * (Scalar(336.0) * omega1_6 * omega2
-      + Scalar(864.0) * omega1_5 * omega2_2 + Scalar(420.0) * omega1_4 * omega2_3
-      - Scalar(144.0) * omega1_3 * omega2_4 - Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (omega1_5 * w_0 + Scalar(2.0) * omega1_4 * omega2 * w_1 + Scalar(3.0) * omega1_3 * omega2_2 * w_3
-      + omega1_3 * w_4 + Scalar(4.0) * omega1_2 * omega2_3 * w_5 + Scalar(2.0) * omega1_2 * omega2 * w_6
-      + Scalar(3.0) * omega1 * omega2_2 * w_7 + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(48.0) * omega1_7
-      + Scalar(288.0) * omega1_6 * omega2 + Scalar(252.0) * omega1_5 * omega2_2
-      - Scalar(144.0) * omega1_4 * omega2_3 - Scalar(120.0) * omega1_3 * omega2_4)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * omega2_2 * b5 + Scalar(4.0) * omega1 * a4_2
-      - lump * (Scalar(48.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(6.0) * omega1_2 * omega2 * b5 - Scalar(48.0) * omega2_3 * b5
-      - Scalar(12.0) * omega2 * a3_2 - Scalar(16.0) * omega2 * a4_2 - lump * (Scalar(96.0) * omega1_2 * omega2_3
-      - Scalar(576.0) * omega2_5)) / denominator;
-  gradient[4] = (-Scalar(12.0) * omega2_2 * a3) / denominator;  // by a3
-  gradient[5] = (Scalar(4.0) * omega1_2 * a4 - Scalar(16.0) * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(3.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 + Scalar(27.0) * omega1_5 * omega2_3
-      + Scalar(6.0) * omega1_4 * omega2_4 - Scalar(99.0) * omega1_3 * omega2_5
-      - Scalar(120.0) * omega1_2 * omega2_6 - Scalar(36.0) * omega1 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      - Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 + Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 - Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2 * a3 + Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = -Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = -Scalar(54.0) * a2 * a3 - Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 + Scalar(135.0) * omega1_4 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_4 - Scalar(297.0) * omega1_2 * omega2_5
-      - Scalar(240.0) * omega1 * omega2_6 - Scalar(36.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
-      + Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
-      - Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
-      - Scalar(252.0) * omega1 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
+  lumps[21] = lump_44(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y_conjA_y
+  lumps[22] = lump_45(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_conjA_x
+  lumps[23] = lump_46(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y2_conjA_x
+  lumps[24] = lump_17(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_A_y
+  lumps[25] = lump_15(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y3
+  lumps[26] = lump_16(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y2
 }
 
 /// jacobian[l * 15 + p] = d lumps[l] / d parameters[p]. 0 operations.
 template <class Scalar>
 void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* jacobian) {
-  Scalar lumps[27];
-  evaluate_lumps(parameters, lumps);
   for (std::size_t i = 0; i < 405; ++i) jacobian[i] = Scalar(0.0);
   jacobian[11] = Scalar(1.0);  // d mu1 / d mu1
-  lump_gradient_1(parameters, lumps[1], jacobian + 15);  // d conservative_x_A_x_A_y_conjA_y
-  lump_gradient_2(parameters, lumps[2], jacobian + 30);  // d conservative_x_A_x2_conjA_x
+  lump_1(parameters, jacobian + 15);  // d conservative_x_A_x_A_y_conjA_y
+  lump_2(parameters, jacobian + 30);  // d conservative_x_A_x2_conjA_x
   jacobian[57] = Scalar(1.0);  // d e1 / d e1
-  lump_gradient_4(parameters, lumps[4], jacobian + 60);  // d conservative_x_A_y_conjA_x2
-  lump_gradient_5(parameters, lumps[5], jacobian + 75);  // d conservative_y_A_x3
+  lump_0(parameters, jacobian + 60);  // d conservative_x_A_y_conjA_x2
+  lump_40(parameters, jacobian + 75);  // d conservative_y_A_x3
   jacobian[103] = Scalar(1.0);  // d mu2 / d mu2
-  lump_gradient_7(parameters, lumps[7], jacobian + 105);  // d conservative_y_A_y2_conjA_y
+  lump_9(parameters, jacobian + 105);  // d conservative_y_A_y2_conjA_y
   jacobian[123] = Scalar(1.0);  // d a2 / d a2
   jacobian[137] = Scalar(1.0);  // d a1 / d a1
   jacobian[154] = Scalar(1.0);  // d a3 / d a3
-  lump_gradient_11(parameters, lumps[11], jacobian + 165);  // d harmonic_re_x_A_y2_conjA_x
-  lump_gradient_12(parameters, lumps[12], jacobian + 180);  // d harmonic_re_x_A_x2_A_y
-  lump_gradient_13(parameters, lumps[13], jacobian + 195);  // d harmonic_re_x_A_y2_conjA_y
-  lump_gradient_14(parameters, lumps[14], jacobian + 210);  // d harmonic_re_x_A_x_A_y_conjA_x
-  lump_gradient_15(parameters, lumps[15], jacobian + 225);  // d harmonic_re_x_A_x3
-  lump_gradient_16(parameters, lumps[16], jacobian + 240);  // d harmonic_re_x_A_y3
-  lump_gradient_17(parameters, lumps[17], jacobian + 255);  // d harmonic_re_x_A_x_A_y2
+  lump_41(parameters, jacobian + 165);  // d harmonic_re_x_A_y2_conjA_x
+  lump_13(parameters, jacobian + 180);  // d harmonic_re_x_A_x2_A_y
+  lump_25(parameters, jacobian + 195);  // d harmonic_re_x_A_y2_conjA_y
+  lump_42(parameters, jacobian + 210);  // d harmonic_re_x_A_x_A_y_conjA_x
+  lump_14(parameters, jacobian + 225);  // d harmonic_re_x_A_x3
+  lump_11(parameters, jacobian + 240);  // d harmonic_re_x_A_y3
+  lump_12(parameters, jacobian + 255);  // d harmonic_re_x_A_x_A_y2
   jacobian[275] = Scalar(1.0);  // d a4 / d a4
-  lump_gradient_19(parameters, lumps[19], jacobian + 285);  // d harmonic_re_y_A_y_conjA_x2
+  lump_43(parameters, jacobian + 285);  // d harmonic_re_y_A_y_conjA_x2
   jacobian[314] = Scalar(1.0);  // d e2 / d e2
-  lump_gradient_21(parameters, lumps[21], jacobian + 315);  // d harmonic_re_y_A_x_A_y_conjA_y
-  lump_gradient_22(parameters, lumps[22], jacobian + 330);  // d harmonic_re_y_A_x2_conjA_x
-  lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_re_y_A_y2_conjA_x
-  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_re_y_A_x2_A_y
-  lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_y_A_y3
-  lump_gradient_26(parameters, lumps[26], jacobian + 390);  // d harmonic_re_y_A_x_A_y2
+  lump_44(parameters, jacobian + 315);  // d harmonic_re_y_A_x_A_y_conjA_y
+  lump_45(parameters, jacobian + 330);  // d harmonic_re_y_A_x2_conjA_x
+  lump_46(parameters, jacobian + 345);  // d harmonic_re_y_A_y2_conjA_x
+  lump_17(parameters, jacobian + 360);  // d harmonic_re_y_A_x2_A_y
+  lump_15(parameters, jacobian + 375);  // d harmonic_re_y_A_y3
+  lump_16(parameters, jacobian + 390);  // d harmonic_re_y_A_x_A_y2
 }
 
 /// What multiplies the 5 terms of the modulation of x: functions of the frequencies alone. 2 operations.
@@ -5842,13 +4076,13 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = -Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 - omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  factor[0] = -Scalar(2.0) * per_0 / omega2;
   factor[1] = Scalar(1.0) / (Scalar(3.0) * omega1_2);
 }
 
 /// Rows of the harmonic -omega1+omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + omega2)*t) in x = -2/(2*omega1*omega2 - omega2^2)*a2*conj(A_x)*A_y +
+/// amplitude of exp(i*(-omega1 + omega2)*t) in x = -2/(omega2*(2*omega1 - omega2))*a2*conj(A_x)*A_y +
 /// 1/(3*omega1^2)*a1*A_x^2
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
@@ -5927,19 +4161,19 @@ inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 5 operations.
+/// What multiplies the 1 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 7 operations.
 template <class Scalar>
 void factors_4([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = -Scalar(1.0) / (omega1_2 - Scalar(4.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = -per_0 * per_1;
 }
 
 /// Rows of the harmonic 2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega2)*t) in x = -1/(omega1^2 - 4*omega2^2)*a3*A_y^2
+/// amplitude of exp(i*(2*omega2)*t) in x = -1/((omega1 + 2*omega2)*(omega1 - 2*omega2))*a3*A_y^2
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -5974,12 +4208,12 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 + omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  factor[0] = Scalar(2.0) * per_0 / omega2;
 }
 
 /// Rows of the harmonic omega1+omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + omega2)*t) in x = 2/(2*omega1*omega2 + omega2^2)*a2*A_x*A_y
+/// amplitude of exp(i*(omega1 + omega2)*t) in x = 2/(omega2*(2*omega1 + omega2))*a2*A_x*A_y
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -6102,99 +4336,23 @@ inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega2 of x: functions of the frequencies alone. 0 operations.
-template <class Scalar>
-void factors_8([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 3*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in x = harmonic_re_x_A_y3*A_y^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_8(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_y * A_y * A_y));  // harmonic_re_x_A_y3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_8(const BatchArrays& data, double* const* columns) {
-  rows_8(data, FactorValues<factors_8<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_8(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic omega1+2*omega2 of x: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_9([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1+2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + 2*omega2)*t) in x = harmonic_re_x_A_x_A_y2*A_x*A_y^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_9(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_y * A_y));  // harmonic_re_x_A_x_A_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_9(const BatchArrays& data, double* const* columns) {
-  rows_9(data, FactorValues<factors_9<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 2 terms of the harmonic -omega1+omega2 of y: functions of the frequencies alone. 9
+/// What multiplies the 2 terms of the harmonic -omega1+omega2 of y: functions of the frequencies alone. 12
 /// operations.
 template <class Scalar>
 void factors_10([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 - omega2_2);
-  factor[1] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = per_0 * per_1;
+  factor[1] = Scalar(2.0) * per_2 / omega1;
 }
 
 /// Rows of the harmonic -omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + omega2)*t) in y = 1/(4*omega1^2 - omega2^2)*a2*A_x^2 + 2/(omega1^2 -
-/// 2*omega1*omega2)*a3*conj(A_x)*A_y
+/// amplitude of exp(i*(-omega1 + omega2)*t) in y = 1/((2*omega1 + omega2)*(2*omega1 - omega2))*a2*A_x^2 +
+/// 2/(omega1*(omega1 - 2*omega2))*a3*conj(A_x)*A_y
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
 void rows_10(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -6317,12 +4475,12 @@ void factors_13([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(2.0) / (omega1_2 + Scalar(2.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  factor[0] = Scalar(2.0) * per_0 / omega1;
 }
 
 /// Rows of the harmonic omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + omega2)*t) in y = 2/(omega1^2 + 2*omega1*omega2)*a3*A_x*A_y
+/// amplitude of exp(i*(omega1 + omega2)*t) in y = 2/(omega1*(omega1 + 2*omega2))*a3*A_x*A_y
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -6358,17 +4516,17 @@ void factors_14([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
+  const Scalar per_0 = Scalar(1.0) / (omega2 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega2 - Omega);
   factor[0] = Scalar(1.0);
-  factor[1] = Scalar(1.0) / (Scalar(2.0) * omega2_2 - Scalar(2.0) * Omega_2);
+  factor[1] = per_0 * per_1 / Scalar(2.0);
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
 }
 
 /// Rows of the harmonic Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(Omega)*t) in y = harmonic_re_y_A_y_conjA_x2*conj(A_x)^2*A_y + 1/(2*omega2^2 -
-/// 2*Omega^2)*e2*F + harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) +
+/// amplitude of exp(i*(Omega)*t) in y = harmonic_re_y_A_y_conjA_x2*conj(A_x)^2*A_y + 1/(2*(omega2 +
+/// Omega)*(omega2 - Omega))*e2*F + harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) +
 /// harmonic_re_y_A_x2_conjA_x*A_x^2*conj(A_x)
 /// 4 columns; per observation at most 12 products and sums of complex numbers.
 template <class Factors>
@@ -6454,83 +4612,6 @@ inline void columns_15(const BatchArrays& data, double* const* columns) {
 inline void column_slopes_15(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   for (std::size_t j = 0; j < 2; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 3*omega2 of y: functions of the frequencies alone. 0 operations.
-template <class Scalar>
-void factors_16([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 3*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in y = harmonic_re_y_A_y3*A_y^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_16(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_y * A_y * A_y));  // harmonic_re_y_A_y3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_16(const BatchArrays& data, double* const* columns) {
-  rows_16(data, FactorValues<factors_16<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_16(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic omega1+2*omega2 of y: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_17([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1+2*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + 2*omega2)*t) in y = harmonic_re_y_A_x_A_y2*A_x*A_y^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_17(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_y * A_y));  // harmonic_re_y_A_x_A_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_17(const BatchArrays& data, double* const* columns) {
-  rows_17(data, FactorValues<factors_17<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_17(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
@@ -6633,12 +4714,6 @@ namespace free_one_to_two {
 /// Lumps: the parameter combinations that multiply data.
 /// lumps[0]: mu1 = mu1
 /// lumps[1]: conservative_x_A_x = -mu1^2/(2*omega1)
-/// lumps[2]: conservative_x_A_x_A_y_conjA_y = (4*omega1^5*omega2^2*b3 - 8*omega1^5*a2*a4 +
-/// 2*omega1^4*omega2^3*b3 + 4*omega1^4*omega2*a2^2 - 4*omega1^4*omega2*a2*a4 - 16*omega1^3*omega2^4*b3 -
-/// 8*omega1^3*omega2^2*a1*a3 + 2*omega1^3*omega2^2*a2^2 + 32*omega1^3*omega2^2*a2*a4 + 16*omega1^3*omega2^2*a3^2
-/// - 8*omega1^2*omega2^5*b3 - 4*omega1^2*omega2^3*a1*a3 - 15*omega1^2*omega2^3*a2^2 + 16*omega1^2*omega2^3*a2*a4
-/// + 8*omega1^2*omega2^3*a3^2 + 32*omega1*omega2^4*a1*a3 - 8*omega1*omega2^4*a2^2 + 16*omega2^5*a1*a3 -
-/// 4*omega2^5*a2^2)/(4*omega1^6*omega2^2 + 2*omega1^5*omega2^3 - 16*omega1^4*omega2^4 - 8*omega1^3*omega2^5)
 /// lumps[3]: conservative_x_A_x2_conjA_x = (18*omega1^2*omega2^2*b1 - 24*omega1^2*a2^2 - 3*omega1*omega2*a2^2 -
 /// 20*omega2^2*a1^2)/(12*omega1^3*omega2^2)
 /// lumps[4]: dissipative_x_A_y_conjA_x = a2*mu2/(2*omega1^2)
@@ -6646,71 +4721,13 @@ namespace free_one_to_two {
 /// lumps[6]: dissipative_y_A_x2 = (2*a2*mu1 - a2*mu2)/(4*omega2^2)
 /// lumps[7]: mu2 = mu2
 /// lumps[8]: conservative_y_A_y = -mu2^2/(2*omega2)
-/// lumps[9]: conservative_y_A_y2_conjA_y = (9*omega1^4*omega2^2*b5 - 10*omega1^4*a4^2 - 36*omega1^2*omega2^4*b5
-/// - 18*omega1^2*omega2^2*a3^2 + 40*omega1^2*omega2^2*a4^2 + 48*omega2^4*a3^2)/(6*omega1^4*omega2^3 -
-/// 24*omega1^2*omega2^5)
-/// lumps[10]: conservative_y_A_x_A_y_conjA_x = (4*omega1^5*omega2^2*b3 - 8*omega1^5*a2*a4 +
-/// 2*omega1^4*omega2^3*b3 + 2*omega1^4*omega2*a2^2 - 4*omega1^4*omega2*a2*a4 - 16*omega1^3*omega2^4*b3 -
-/// 8*omega1^3*omega2^2*a1*a3 - omega1^3*omega2^2*a2^2 + 32*omega1^3*omega2^2*a2*a4 + 16*omega1^3*omega2^2*a3^2 -
-/// 8*omega1^2*omega2^5*b3 - 4*omega1^2*omega2^3*a1*a3 - 8*omega1^2*omega2^3*a2^2 + 16*omega1^2*omega2^3*a2*a4 +
-/// 8*omega1^2*omega2^3*a3^2 + 32*omega1*omega2^4*a1*a3 + 4*omega1*omega2^4*a2^2 +
-/// 16*omega2^5*a1*a3)/(4*omega1^5*omega2^3 + 2*omega1^4*omega2^4 - 16*omega1^3*omega2^5 - 8*omega1^2*omega2^6)
 /// lumps[11]: a3 = a3
 /// lumps[12]: a1 = a1
-/// lumps[13]: harmonic_re_x_A_y_conjA_x2 = (9*omega1^3*b2 - 18*omega1^2*omega2*b2 + 2*omega1*a1*a2 +
-/// 12*omega1*a2*a3 - 4*omega2*a1*a2)/(9*omega1^5 - 30*omega1^4*omega2 + 27*omega1^3*omega2^2 -
-/// 6*omega1^2*omega2^3)
-/// lumps[14]: harmonic_re_x_A_x2_A_y = -4*a2*a3/(omega1^4 - 8*omega1^2*omega2^2 + 16*omega2^4)
-/// lumps[15]: harmonic_im_x_A_y2 = (4*omega2*a3*mu1 - 8*omega2*a3*mu2)/(omega1^4 - 8*omega1^2*omega2^2 +
-/// 16*omega2^4)
-/// lumps[16]: harmonic_re_x_A_y2_conjA_x = (-3*omega1^3*omega2^2*b3 - 2*omega1^3*a2*a4 + 12*omega1*omega2^4*b3 +
-/// 6*omega1*omega2^2*a1*a3 + 8*omega1*omega2^2*a2*a4 - 12*omega1*omega2^2*a3^2 -
-/// 24*omega2^3*a3^2)/(12*omega1^4*omega2^3 - 12*omega1^3*omega2^4 - 48*omega1^2*omega2^5 + 48*omega1*omega2^6)
-/// lumps[17]: harmonic_re_x_A_x3 = (-2*omega1*a2^2 - 2*omega2*a2^2)/(4*omega1^2*omega2^3 + 4*omega1*omega2^4 +
-/// omega2^5)
-/// lumps[18]: harmonic_re_x_A_y2_conjA_y = (-9*omega1^4*omega2^2*b4 + 10*omega1^4*a3*a4 +
-/// 36*omega1^2*omega2^4*b4 + 18*omega1^2*omega2^2*a2*a3 - 40*omega1^2*omega2^2*a3*a4 -
-/// 48*omega2^4*a2*a3)/(3*omega1^6*omega2^2 - 15*omega1^4*omega2^4 + 12*omega1^2*omega2^6)
-/// lumps[19]: harmonic_re_x_A_x_A_y_conjA_x = (-12*omega1^5*omega2^2*b2 + 8*omega1^5*a2*a3 -
-/// 6*omega1^4*omega2^3*b2 - 4*omega1^4*omega2*a1*a2 + 4*omega1^4*omega2*a2*a3 + 48*omega1^3*omega2^4*b2 +
-/// 8*omega1^3*omega2^2*a1*a2 - 48*omega1^3*omega2^2*a2*a3 + 24*omega1^2*omega2^5*b2 + 20*omega1^2*omega2^3*a1*a2
-/// - 24*omega1^2*omega2^3*a2*a3 - 32*omega1*omega2^4*a1*a2 - 16*omega2^5*a1*a2)/(2*omega1^7*omega2^2 +
-/// omega1^6*omega2^3 - 10*omega1^5*omega2^4 - 5*omega1^4*omega2^5 + 8*omega1^3*omega2^6 + 4*omega1^2*omega2^7)
 /// lumps[20]: harmonic_im_x_A_x2 = -4*a1*mu1/(9*omega1^3)
-/// lumps[21]: harmonic_re_x_A_y3 = (-3*omega1^2*omega2^2*b4 - 2*omega1^2*a3*a4 + 12*omega2^4*b4 +
-/// 6*omega2^2*a2*a3 + 8*omega2^2*a3*a4)/(3*omega1^4*omega2^2 - 39*omega1^2*omega2^4 + 108*omega2^6)
-/// lumps[22]: harmonic_re_x_A_x_A_y2 = (6*omega1^4*omega2^2*b3 + 4*omega1^4*a2*a4 + 3*omega1^3*omega2^3*b3 +
-/// 12*omega1^3*omega2*a2^2 + 2*omega1^3*omega2*a2*a4 - 24*omega1^2*omega2^4*b3 - 12*omega1^2*omega2^2*a1*a3 -
-/// 16*omega1^2*omega2^2*a2*a4 + 24*omega1^2*omega2^2*a3^2 - 12*omega1*omega2^5*b3 - 6*omega1*omega2^3*a1*a3 -
-/// 48*omega1*omega2^3*a2^2 - 8*omega1*omega2^3*a2*a4 - 36*omega1*omega2^3*a3^2 -
-/// 24*omega2^4*a3^2)/(24*omega1^5*omega2^3 + 36*omega1^4*omega2^4 - 84*omega1^3*omega2^5 - 144*omega1^2*omega2^6
-/// - 48*omega1*omega2^7)
-/// lumps[23]: harmonic_im_y_A_y_conjA_x = (4*omega1*a3*mu1 - 4*omega2*a3*mu1)/(omega1^4 - 4*omega1^3*omega2 +
-/// 4*omega1^2*omega2^2)
-/// lumps[24]: harmonic_re_y_A_x_A_y_conjA_y = (12*omega1^5*omega2^2*b4 - 8*omega1^5*a3*a4 +
-/// 6*omega1^4*omega2^3*b4 + 4*omega1^4*omega2*a2*a3 - 4*omega1^4*omega2*a3*a4 - 48*omega1^3*omega2^4*b4 -
-/// 8*omega1^3*omega2^2*a2*a3 + 48*omega1^3*omega2^2*a3*a4 - 24*omega1^2*omega2^5*b4 - 20*omega1^2*omega2^3*a2*a3
-/// + 24*omega1^2*omega2^3*a3*a4 + 32*omega1*omega2^4*a2*a3 + 16*omega2^5*a2*a3)/(2*omega1^7*omega2^2 +
-/// omega1^6*omega2^3 - 10*omega1^5*omega2^4 - 5*omega1^4*omega2^5 + 8*omega1^3*omega2^6 + 4*omega1^2*omega2^7)
-/// lumps[25]: harmonic_re_y_A_x2_conjA_x = (9*omega1^2*omega2^2*b2 - 12*omega1^2*a2*a3 -
-/// 10*omega2^2*a1*a2)/(3*omega1^4*omega2^2 - 3*omega1^2*omega2^4)
 /// lumps[26]: a4 = a4
-/// lumps[27]: harmonic_re_y_A_y_conjA_x2 = (3*omega1^3*b3 - 6*omega1^2*omega2*b3 + 2*omega1*a1*a3 +
-/// 12*omega1*a3^2 - 4*omega2*a1*a3)/(12*omega1^5 - 36*omega1^4*omega2 + 24*omega1^3*omega2^2)
 /// lumps[28]: harmonic_re_y_A_x2_A_y = -4*a2*a4/(9*omega2^4)
 /// lumps[29]: harmonic_im_y_A_y2 = -4*a4*mu2/(9*omega2^3)
-/// lumps[30]: harmonic_re_y_A_y2_conjA_x = (9*omega1^3*omega2^2*b4 + 2*omega1^3*a3*a4 - 36*omega1*omega2^4*b4 -
-/// 6*omega1*omega2^2*a2*a3 + 4*omega1*omega2^2*a3*a4 + 24*omega2^3*a3*a4)/(3*omega1^5*omega2^2 -
-/// 12*omega1^4*omega2^3 - 3*omega1^3*omega2^4 + 48*omega1^2*omega2^5 - 36*omega1*omega2^6)
-/// lumps[31]: harmonic_re_y_A_x3 = (3*omega1^2*b2 + 2*a1*a2)/(27*omega1^4 - 3*omega1^2*omega2^2)
-/// lumps[32]: harmonic_re_y_A_y3 = (3*omega1^2*omega2^2*b5 + 2*omega1^2*a4^2 - 12*omega2^4*b5 - 6*omega2^2*a3^2
-/// - 8*omega2^2*a4^2)/(24*omega1^2*omega2^4 - 96*omega2^6)
-/// lumps[33]: harmonic_re_y_A_x_A_y2 = (18*omega1^4*omega2^2*b4 + 4*omega1^4*a3*a4 + 9*omega1^3*omega2^3*b4 +
-/// 12*omega1^3*omega2*a2*a3 + 2*omega1^3*omega2*a3*a4 - 72*omega1^2*omega2^4*b4 - 12*omega1^2*omega2^2*a2*a3 +
-/// 8*omega1^2*omega2^2*a3*a4 - 36*omega1*omega2^5*b4 - 54*omega1*omega2^3*a2*a3 - 44*omega1*omega2^3*a3*a4 -
-/// 24*omega2^4*a3*a4)/(6*omega1^6*omega2^2 + 27*omega1^5*omega2^3 + 6*omega1^4*omega2^4 - 99*omega1^3*omega2^5 -
-/// 120*omega1^2*omega2^6 - 36*omega1*omega2^7)
-/// 835 operations.
+/// 41 operations.
 template <class Scalar>
 void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
   const Scalar omega1 = parameters[0];
@@ -6720,44 +4737,20 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
   const Scalar a3 = parameters[4];
   const Scalar a4 = parameters[5];
   const Scalar b1 = parameters[6];
-  const Scalar b2 = parameters[7];
-  const Scalar b3 = parameters[8];
-  const Scalar b4 = parameters[9];
-  const Scalar b5 = parameters[10];
   const Scalar mu1 = parameters[11];
   const Scalar mu2 = parameters[13];
   const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
   const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
   const Scalar a1_2 = a1 * a1;
   const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
   const Scalar mu1_2 = mu1 * mu1;
   const Scalar mu2_2 = mu2 * mu2;
   lumps[0] = mu1;  // mu1
   lumps[1] = -mu1_2 / (Scalar(2.0) * omega1);  // conservative_x_A_x
-  // conservative_x_A_x_A_y_conjA_y
-  lumps[2] = (Scalar(4.0) * omega1_5 * omega2_2 * b3 - Scalar(8.0) * omega1_5 * a2 * a4
-      + Scalar(2.0) * omega1_4 * omega2_3 * b3 + Scalar(4.0) * omega1_4 * omega2 * a2_2
-      - Scalar(4.0) * omega1_4 * omega2 * a2 * a4 - Scalar(16.0) * omega1_3 * omega2_4 * b3
-      - Scalar(8.0) * omega1_3 * omega2_2 * a1 * a3 + Scalar(2.0) * omega1_3 * omega2_2 * a2_2
-      + Scalar(32.0) * omega1_3 * omega2_2 * a2 * a4 + Scalar(16.0) * omega1_3 * omega2_2 * a3_2
-      - Scalar(8.0) * omega1_2 * omega2_5 * b3 - Scalar(4.0) * omega1_2 * omega2_3 * a1 * a3
-      - Scalar(15.0) * omega1_2 * omega2_3 * a2_2 + Scalar(16.0) * omega1_2 * omega2_3 * a2 * a4
-      + Scalar(8.0) * omega1_2 * omega2_3 * a3_2 + Scalar(32.0) * omega1 * omega2_4 * a1 * a3
-      - Scalar(8.0) * omega1 * omega2_4 * a2_2 + Scalar(16.0) * omega2_5 * a1 * a3
-      - Scalar(4.0) * omega2_5 * a2_2) / (Scalar(4.0) * omega1_6 * omega2_2 + Scalar(2.0) * omega1_5 * omega2_3
-      - Scalar(16.0) * omega1_4 * omega2_4 - Scalar(8.0) * omega1_3 * omega2_5);
+  lumps[2] = lump_19(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_A_y_conjA_y
   // conservative_x_A_x2_conjA_x
   lumps[3] = (Scalar(18.0) * omega1_2 * omega2_2 * b1 - Scalar(24.0) * omega1_2 * a2_2
       - Scalar(3.0) * omega1 * omega2 * a2_2
@@ -6767,986 +4760,31 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
   lumps[6] = (Scalar(2.0) * a2 * mu1 - a2 * mu2) / (Scalar(4.0) * omega2_2);  // dissipative_y_A_x2
   lumps[7] = mu2;  // mu2
   lumps[8] = -mu2_2 / (Scalar(2.0) * omega2);  // conservative_y_A_y
-  // conservative_y_A_y2_conjA_y
-  lumps[9] = (Scalar(9.0) * omega1_4 * omega2_2 * b5 - Scalar(10.0) * omega1_4 * a4_2
-      - Scalar(36.0) * omega1_2 * omega2_4 * b5 - Scalar(18.0) * omega1_2 * omega2_2 * a3_2
-      + Scalar(40.0) * omega1_2 * omega2_2 * a4_2
-      + Scalar(48.0) * omega2_4 * a3_2) / (Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_5);
-  // conservative_y_A_x_A_y_conjA_x
-  lumps[10] = (Scalar(4.0) * omega1_5 * omega2_2 * b3 - Scalar(8.0) * omega1_5 * a2 * a4
-      + Scalar(2.0) * omega1_4 * omega2_3 * b3 + Scalar(2.0) * omega1_4 * omega2 * a2_2
-      - Scalar(4.0) * omega1_4 * omega2 * a2 * a4 - Scalar(16.0) * omega1_3 * omega2_4 * b3
-      - Scalar(8.0) * omega1_3 * omega2_2 * a1 * a3 - omega1_3 * omega2_2 * a2_2
-      + Scalar(32.0) * omega1_3 * omega2_2 * a2 * a4 + Scalar(16.0) * omega1_3 * omega2_2 * a3_2
-      - Scalar(8.0) * omega1_2 * omega2_5 * b3 - Scalar(4.0) * omega1_2 * omega2_3 * a1 * a3
-      - Scalar(8.0) * omega1_2 * omega2_3 * a2_2 + Scalar(16.0) * omega1_2 * omega2_3 * a2 * a4
-      + Scalar(8.0) * omega1_2 * omega2_3 * a3_2 + Scalar(32.0) * omega1 * omega2_4 * a1 * a3
-      + Scalar(4.0) * omega1 * omega2_4 * a2_2
-      + Scalar(16.0) * omega2_5 * a1 * a3) / (Scalar(4.0) * omega1_5 * omega2_3
-      + Scalar(2.0) * omega1_4 * omega2_4 - Scalar(16.0) * omega1_3 * omega2_5
-      - Scalar(8.0) * omega1_2 * omega2_6);
+  lumps[9] = lump_9(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_y2_conjA_y
+  lumps[10] = lump_21(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x_A_y_conjA_x
   lumps[11] = a3;  // a3
   lumps[12] = a1;  // a1
-  // harmonic_re_x_A_y_conjA_x2
-  lumps[13] = (Scalar(9.0) * omega1_3 * b2 - Scalar(18.0) * omega1_2 * omega2 * b2
-      + Scalar(2.0) * omega1 * a1 * a2 + Scalar(12.0) * omega1 * a2 * a3
-      - Scalar(4.0) * omega2 * a1 * a2) / (Scalar(9.0) * omega1_5 - Scalar(30.0) * omega1_4 * omega2
-      + Scalar(27.0) * omega1_3 * omega2_2 - Scalar(6.0) * omega1_2 * omega2_3);
-  // harmonic_re_x_A_x2_A_y
-  lumps[14] = -Scalar(4.0) * a2 * a3 / (omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
-  // harmonic_im_x_A_y2
-  lumps[15] = (Scalar(4.0) * omega2 * a3 * mu1 - Scalar(8.0) * omega2 * a3 * mu2) / (omega1_4
-      - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4);
-  // harmonic_re_x_A_y2_conjA_x
-  lumps[16] = (-Scalar(3.0) * omega1_3 * omega2_2 * b3 - Scalar(2.0) * omega1_3 * a2 * a4
-      + Scalar(12.0) * omega1 * omega2_4 * b3 + Scalar(6.0) * omega1 * omega2_2 * a1 * a3
-      + Scalar(8.0) * omega1 * omega2_2 * a2 * a4 - Scalar(12.0) * omega1 * omega2_2 * a3_2
-      - Scalar(24.0) * omega2_3 * a3_2) / (Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6);
-  // harmonic_re_x_A_x3
-  lumps[17] = (-Scalar(2.0) * omega1 * a2_2 - Scalar(2.0) * omega2 * a2_2) / (Scalar(4.0) * omega1_2 * omega2_3
-      + Scalar(4.0) * omega1 * omega2_4 + omega2_5);
-  // harmonic_re_x_A_y2_conjA_y
-  lumps[18] = (-Scalar(9.0) * omega1_4 * omega2_2 * b4 + Scalar(10.0) * omega1_4 * a3 * a4
-      + Scalar(36.0) * omega1_2 * omega2_4 * b4 + Scalar(18.0) * omega1_2 * omega2_2 * a2 * a3
-      - Scalar(40.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(48.0) * omega2_4 * a2 * a3) / (Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(15.0) * omega1_4 * omega2_4 + Scalar(12.0) * omega1_2 * omega2_6);
-  // harmonic_re_x_A_x_A_y_conjA_x
-  lumps[19] = (-Scalar(12.0) * omega1_5 * omega2_2 * b2 + Scalar(8.0) * omega1_5 * a2 * a3
-      - Scalar(6.0) * omega1_4 * omega2_3 * b2 - Scalar(4.0) * omega1_4 * omega2 * a1 * a2
-      + Scalar(4.0) * omega1_4 * omega2 * a2 * a3 + Scalar(48.0) * omega1_3 * omega2_4 * b2
-      + Scalar(8.0) * omega1_3 * omega2_2 * a1 * a2 - Scalar(48.0) * omega1_3 * omega2_2 * a2 * a3
-      + Scalar(24.0) * omega1_2 * omega2_5 * b2 + Scalar(20.0) * omega1_2 * omega2_3 * a1 * a2
-      - Scalar(24.0) * omega1_2 * omega2_3 * a2 * a3 - Scalar(32.0) * omega1 * omega2_4 * a1 * a2
-      - Scalar(16.0) * omega2_5 * a1 * a2) / (Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7);
+  lumps[13] = lump_22(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y_conjA_x2
+  lumps[14] = lump_27(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x2_A_y
+  lumps[15] = lump_28(parameters, static_cast<Scalar*>(nullptr));  // harmonic_im_x_A_y2
+  lumps[16] = lump_30(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_x
+  lumps[17] = lump_32(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x3
+  lumps[18] = lump_25(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_y
+  lumps[19] = lump_26(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y_conjA_x
   lumps[20] = -Scalar(4.0) * a1 * mu1 / (Scalar(9.0) * omega1_3);  // harmonic_im_x_A_x2
-  // harmonic_re_x_A_y3
-  lumps[21] = (-Scalar(3.0) * omega1_2 * omega2_2 * b4 - Scalar(2.0) * omega1_2 * a3 * a4
-      + Scalar(12.0) * omega2_4 * b4 + Scalar(6.0) * omega2_2 * a2 * a3
-      + Scalar(8.0) * omega2_2 * a3 * a4) / (Scalar(3.0) * omega1_4 * omega2_2
-      - Scalar(39.0) * omega1_2 * omega2_4 + Scalar(108.0) * omega2_6);
-  // harmonic_re_x_A_x_A_y2
-  lumps[22] = (Scalar(6.0) * omega1_4 * omega2_2 * b3 + Scalar(4.0) * omega1_4 * a2 * a4
-      + Scalar(3.0) * omega1_3 * omega2_3 * b3 + Scalar(12.0) * omega1_3 * omega2 * a2_2
-      + Scalar(2.0) * omega1_3 * omega2 * a2 * a4 - Scalar(24.0) * omega1_2 * omega2_4 * b3
-      - Scalar(12.0) * omega1_2 * omega2_2 * a1 * a3 - Scalar(16.0) * omega1_2 * omega2_2 * a2 * a4
-      + Scalar(24.0) * omega1_2 * omega2_2 * a3_2 - Scalar(12.0) * omega1 * omega2_5 * b3
-      - Scalar(6.0) * omega1 * omega2_3 * a1 * a3 - Scalar(48.0) * omega1 * omega2_3 * a2_2
-      - Scalar(8.0) * omega1 * omega2_3 * a2 * a4 - Scalar(36.0) * omega1 * omega2_3 * a3_2
-      - Scalar(24.0) * omega2_4 * a3_2) / (Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7);
-  // harmonic_im_y_A_y_conjA_x
-  lumps[23] = (Scalar(4.0) * omega1 * a3 * mu1 - Scalar(4.0) * omega2 * a3 * mu1) / (omega1_4
-      - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_x_A_y_conjA_y
-  lumps[24] = (Scalar(12.0) * omega1_5 * omega2_2 * b4 - Scalar(8.0) * omega1_5 * a3 * a4
-      + Scalar(6.0) * omega1_4 * omega2_3 * b4 + Scalar(4.0) * omega1_4 * omega2 * a2 * a3
-      - Scalar(4.0) * omega1_4 * omega2 * a3 * a4 - Scalar(48.0) * omega1_3 * omega2_4 * b4
-      - Scalar(8.0) * omega1_3 * omega2_2 * a2 * a3 + Scalar(48.0) * omega1_3 * omega2_2 * a3 * a4
-      - Scalar(24.0) * omega1_2 * omega2_5 * b4 - Scalar(20.0) * omega1_2 * omega2_3 * a2 * a3
-      + Scalar(24.0) * omega1_2 * omega2_3 * a3 * a4 + Scalar(32.0) * omega1 * omega2_4 * a2 * a3
-      + Scalar(16.0) * omega2_5 * a2 * a3) / (Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7);
-  // harmonic_re_y_A_x2_conjA_x
-  lumps[25] = (Scalar(9.0) * omega1_2 * omega2_2 * b2 - Scalar(12.0) * omega1_2 * a2 * a3
-      - Scalar(10.0) * omega2_2 * a1 * a2) / (Scalar(3.0) * omega1_4 * omega2_2
-      - Scalar(3.0) * omega1_2 * omega2_4);
+  lumps[21] = lump_11(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y3
+  lumps[22] = lump_12(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y2
+  lumps[23] = lump_33(parameters, static_cast<Scalar*>(nullptr));  // harmonic_im_y_A_y_conjA_x
+  lumps[24] = lump_34(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y_conjA_y
+  lumps[25] = lump_35(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_conjA_x
   lumps[26] = a4;  // a4
-  // harmonic_re_y_A_y_conjA_x2
-  lumps[27] = (Scalar(3.0) * omega1_3 * b3 - Scalar(6.0) * omega1_2 * omega2 * b3 + Scalar(2.0) * omega1 * a1 * a3
-      + Scalar(12.0) * omega1 * a3_2 - Scalar(4.0) * omega2 * a1 * a3) / (Scalar(12.0) * omega1_5
-      - Scalar(36.0) * omega1_4 * omega2 + Scalar(24.0) * omega1_3 * omega2_2);
+  lumps[27] = lump_36(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y_conjA_x2
   lumps[28] = -Scalar(4.0) * a2 * a4 / (Scalar(9.0) * omega2_4);  // harmonic_re_y_A_x2_A_y
   lumps[29] = -Scalar(4.0) * a4 * mu2 / (Scalar(9.0) * omega2_3);  // harmonic_im_y_A_y2
-  // harmonic_re_y_A_y2_conjA_x
-  lumps[30] = (Scalar(9.0) * omega1_3 * omega2_2 * b4 + Scalar(2.0) * omega1_3 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_4 * b4 - Scalar(6.0) * omega1 * omega2_2 * a2 * a3
-      + Scalar(4.0) * omega1 * omega2_2 * a3 * a4
-      + Scalar(24.0) * omega2_3 * a3 * a4) / (Scalar(3.0) * omega1_5 * omega2_2
-      - Scalar(12.0) * omega1_4 * omega2_3 - Scalar(3.0) * omega1_3 * omega2_4
-      + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6);
-  // harmonic_re_y_A_x3
-  lumps[31] = (Scalar(3.0) * omega1_2 * b2 + Scalar(2.0) * a1 * a2) / (Scalar(27.0) * omega1_4
-      - Scalar(3.0) * omega1_2 * omega2_2);
-  // harmonic_re_y_A_y3
-  lumps[32] = (Scalar(3.0) * omega1_2 * omega2_2 * b5 + Scalar(2.0) * omega1_2 * a4_2
-      - Scalar(12.0) * omega2_4 * b5 - Scalar(6.0) * omega2_2 * a3_2
-      - Scalar(8.0) * omega2_2 * a4_2) / (Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6);
-  // harmonic_re_y_A_x_A_y2
-  lumps[33] = (Scalar(18.0) * omega1_4 * omega2_2 * b4 + Scalar(4.0) * omega1_4 * a3 * a4
-      + Scalar(9.0) * omega1_3 * omega2_3 * b4 + Scalar(12.0) * omega1_3 * omega2 * a2 * a3
-      + Scalar(2.0) * omega1_3 * omega2 * a3 * a4 - Scalar(72.0) * omega1_2 * omega2_4 * b4
-      - Scalar(12.0) * omega1_2 * omega2_2 * a2 * a3 + Scalar(8.0) * omega1_2 * omega2_2 * a3 * a4
-      - Scalar(36.0) * omega1 * omega2_5 * b4 - Scalar(54.0) * omega1 * omega2_3 * a2 * a3
-      - Scalar(44.0) * omega1 * omega2_3 * a3 * a4
-      - Scalar(24.0) * omega2_4 * a3 * a4) / (Scalar(6.0) * omega1_6 * omega2_2
-      + Scalar(27.0) * omega1_5 * omega2_3 + Scalar(6.0) * omega1_4 * omega2_4
-      - Scalar(99.0) * omega1_3 * omega2_5 - Scalar(120.0) * omega1_2 * omega2_6
-      - Scalar(36.0) * omega1 * omega2_7);
-}
-
-/// gradient[p] = d conservative_x_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 150 operations.
-template <class Scalar>
-void lump_gradient_2(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(4.0) * omega1_6 * omega2_2 + Scalar(2.0) * omega1_5 * omega2_3
-      - Scalar(16.0) * omega1_4 * omega2_4 - Scalar(8.0) * omega1_3 * omega2_5;
-  // multiplies a1*a3
-  const Scalar c_0 = -Scalar(8.0) * omega1_3 * omega2_2 - Scalar(4.0) * omega1_2 * omega2_3
-      + Scalar(32.0) * omega1 * omega2_4 + Scalar(16.0) * omega2_5;
-  // multiplies a2^2
-  const Scalar c_1 = Scalar(4.0) * omega1_4 * omega2 + Scalar(2.0) * omega1_3 * omega2_2
-      - Scalar(15.0) * omega1_2 * omega2_3 - Scalar(8.0) * omega1 * omega2_4 - Scalar(4.0) * omega2_5;
-  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(8.0) * omega1_5 - Scalar(4.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2 + Scalar(16.0) * omega1_2 * omega2_3;
-  const Scalar c_3 = Scalar(16.0) * omega1_3 * omega2_2 + Scalar(8.0) * omega1_2 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(4.0) * omega1_5 * omega2_2 + Scalar(2.0) * omega1_4 * omega2_3
-      - Scalar(16.0) * omega1_3 * omega2_4 - Scalar(8.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = Scalar(4.0) * b3;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a2 * a4;  // multiplies omega1^5
-  const Scalar w_2 = Scalar(2.0) * b3;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = Scalar(4.0) * a2_2 - Scalar(4.0) * a2 * a4;  // multiplies omega1^4*omega2
-  const Scalar w_4 = -Scalar(16.0) * b3;  // multiplies omega1^3*omega2^4
-  // multiplies omega1^3*omega2^2
-  const Scalar w_5 = -Scalar(8.0) * a1 * a3 + Scalar(2.0) * a2_2 + Scalar(32.0) * a2 * a4 + Scalar(16.0) * a3_2;
-  const Scalar w_6 = -Scalar(8.0) * b3;  // multiplies omega1^2*omega2^5
-  // multiplies omega1^2*omega2^3
-  const Scalar w_7 = -Scalar(4.0) * a1 * a3 - Scalar(15.0) * a2_2 + Scalar(16.0) * a2 * a4 + Scalar(8.0) * a3_2;
-  const Scalar w_8 = Scalar(32.0) * a1 * a3 - Scalar(8.0) * a2_2;  // multiplies omega1*omega2^4
-  const Scalar w_9 = Scalar(16.0) * a1 * a3 - Scalar(4.0) * a2_2;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(24.0) * omega1_5 * omega2_2 + Scalar(10.0) * omega1_4 * omega2_3
-      - Scalar(64.0) * omega1_3 * omega2_4 - Scalar(24.0) * omega1_2 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(8.0) * omega1_6 * omega2 + Scalar(6.0) * omega1_5 * omega2_2
-      - Scalar(64.0) * omega1_4 * omega2_3 - Scalar(40.0) * omega1_3 * omega2_4)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d conservative_y_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_9(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(6.0) * omega1_4 * omega2_3 - Scalar(24.0) * omega1_2 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(36.0) * omega1_3 * omega2_2 * b5 - Scalar(40.0) * omega1_3 * a4_2
-      - Scalar(72.0) * omega1 * omega2_4 * b5 - Scalar(36.0) * omega1 * omega2_2 * a3_2
-      + Scalar(80.0) * omega1 * omega2_2 * a4_2 - lump * (Scalar(24.0) * omega1_3 * omega2_3
-      - Scalar(48.0) * omega1 * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_4 * omega2 * b5 - Scalar(144.0) * omega1_2 * omega2_3 * b5
-      - Scalar(36.0) * omega1_2 * omega2 * a3_2 + Scalar(80.0) * omega1_2 * omega2 * a4_2
-      + Scalar(192.0) * omega2_3 * a3_2 - lump * (Scalar(18.0) * omega1_4 * omega2_2
-      - Scalar(120.0) * omega1_2 * omega2_4)) / denominator;
-  gradient[4] = (-Scalar(36.0) * omega1_2 * omega2_2 * a3 + Scalar(96.0) * omega2_4 * a3) / denominator;  // by a3
-  gradient[5] = (-Scalar(20.0) * omega1_4 * a4 + Scalar(80.0) * omega1_2 * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(9.0) * omega1_4 * omega2_2 - Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d conservative_y_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 144 operations.
-template <class Scalar>
-void lump_gradient_10(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(4.0) * omega1_5 * omega2_3 + Scalar(2.0) * omega1_4 * omega2_4
-      - Scalar(16.0) * omega1_3 * omega2_5 - Scalar(8.0) * omega1_2 * omega2_6;
-  // multiplies a1*a3
-  const Scalar c_0 = -Scalar(8.0) * omega1_3 * omega2_2 - Scalar(4.0) * omega1_2 * omega2_3
-      + Scalar(32.0) * omega1 * omega2_4 + Scalar(16.0) * omega2_5;
-  // multiplies a2^2
-  const Scalar c_1 = Scalar(2.0) * omega1_4 * omega2 - omega1_3 * omega2_2 - Scalar(8.0) * omega1_2 * omega2_3
-      + Scalar(4.0) * omega1 * omega2_4;
-  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(8.0) * omega1_5 - Scalar(4.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2 + Scalar(16.0) * omega1_2 * omega2_3;
-  const Scalar c_3 = Scalar(16.0) * omega1_3 * omega2_2 + Scalar(8.0) * omega1_2 * omega2_3;  // multiplies a3^2
-  // multiplies b3
-  const Scalar c_4 = Scalar(4.0) * omega1_5 * omega2_2 + Scalar(2.0) * omega1_4 * omega2_3
-      - Scalar(16.0) * omega1_3 * omega2_4 - Scalar(8.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = Scalar(4.0) * b3;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a2 * a4;  // multiplies omega1^5
-  const Scalar w_2 = Scalar(2.0) * b3;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = Scalar(2.0) * a2_2 - Scalar(4.0) * a2 * a4;  // multiplies omega1^4*omega2
-  const Scalar w_4 = -Scalar(16.0) * b3;  // multiplies omega1^3*omega2^4
-  // multiplies omega1^3*omega2^2
-  const Scalar w_5 = -Scalar(8.0) * a1 * a3 - a2_2 + Scalar(32.0) * a2 * a4 + Scalar(16.0) * a3_2;
-  const Scalar w_6 = -Scalar(8.0) * b3;  // multiplies omega1^2*omega2^5
-  // multiplies omega1^2*omega2^3
-  const Scalar w_7 = -Scalar(4.0) * a1 * a3 - Scalar(8.0) * a2_2 + Scalar(16.0) * a2 * a4 + Scalar(8.0) * a3_2;
-  const Scalar w_8 = Scalar(32.0) * a1 * a3 + Scalar(4.0) * a2_2;  // multiplies omega1*omega2^4
-  const Scalar w_9 = Scalar(16.0) * a1 * a3;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(20.0) * omega1_4 * omega2_3 + Scalar(8.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 - Scalar(16.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(12.0) * omega1_5 * omega2_2 + Scalar(8.0) * omega1_4 * omega2_3
-      - Scalar(80.0) * omega1_3 * omega2_4 - Scalar(48.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_x_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 63 operations.
-template <class Scalar>
-void lump_gradient_13(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar denominator = Scalar(9.0) * omega1_5 - Scalar(30.0) * omega1_4 * omega2
-      + Scalar(27.0) * omega1_3 * omega2_2 - Scalar(6.0) * omega1_2 * omega2_3;
-  // by omega1
-  gradient[0] = (Scalar(27.0) * omega1_2 * b2 - Scalar(36.0) * omega1 * omega2 * b2 + Scalar(2.0) * a1 * a2
-      + Scalar(12.0) * a2 * a3 - lump * (Scalar(45.0) * omega1_4 - Scalar(120.0) * omega1_3 * omega2
-      + Scalar(81.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega1 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(18.0) * omega1_2 * b2 - Scalar(4.0) * a1 * a2 - lump * (-Scalar(30.0) * omega1_4
-      + Scalar(54.0) * omega1_3 * omega2 - Scalar(18.0) * omega1_2 * omega2_2)) / denominator;
-  gradient[2] = (Scalar(2.0) * omega1 * a2 - Scalar(4.0) * omega2 * a2) / denominator;  // by a1
-  // by a2
-  gradient[3] = (Scalar(2.0) * omega1 * a1 + Scalar(12.0) * omega1 * a3
-      - Scalar(4.0) * omega2 * a1) / denominator;
-  gradient[4] = (Scalar(12.0) * omega1 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(9.0) * omega1_3 - Scalar(18.0) * omega1_2 * omega2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_x2_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_14(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4;
-  gradient[0] = (-lump * (Scalar(4.0) * omega1_3 - Scalar(16.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  // by omega2
-  gradient[1] = (-lump * (-Scalar(16.0) * omega1_2 * omega2 + Scalar(64.0) * omega2_3)) / denominator;
-  gradient[3] = (-Scalar(4.0) * a3) / denominator;  // by a2
-  gradient[4] = (-Scalar(4.0) * a2) / denominator;  // by a3
-}
-
-/// gradient[p] = d harmonic_im_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 27 operations.
-template <class Scalar>
-void lump_gradient_15(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar mu1 = parameters[11];
-  const Scalar mu2 = parameters[13];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(8.0) * omega1_2 * omega2_2 + Scalar(16.0) * omega2_4;
-  gradient[0] = (-lump * (Scalar(4.0) * omega1_3 - Scalar(16.0) * omega1 * omega2_2)) / denominator;  // by omega1
-  // by omega2
-  gradient[1] = (Scalar(4.0) * a3 * mu1 - Scalar(8.0) * a3 * mu2 - lump * (-Scalar(16.0) * omega1_2 * omega2
-      + Scalar(64.0) * omega2_3)) / denominator;
-  gradient[4] = (Scalar(4.0) * omega2 * mu1 - Scalar(8.0) * omega2 * mu2) / denominator;  // by a3
-  gradient[11] = (Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
-  gradient[13] = (-Scalar(8.0) * omega2 * a3) / denominator;  // by mu2
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 70 operations.
-template <class Scalar>
-void lump_gradient_16(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_4 * omega2_3 - Scalar(12.0) * omega1_3 * omega2_4
-      - Scalar(48.0) * omega1_2 * omega2_5 + Scalar(48.0) * omega1 * omega2_6;
-  const Scalar c_0 = Scalar(6.0) * omega1 * omega2_2;  // multiplies a1*a3
-  const Scalar c_1 = -Scalar(2.0) * omega1_3 + Scalar(8.0) * omega1 * omega2_2;  // multiplies a2*a4
-  const Scalar c_2 = -Scalar(12.0) * omega1 * omega2_2 - Scalar(24.0) * omega2_3;  // multiplies a3^2
-  const Scalar c_3 = -Scalar(3.0) * omega1_3 * omega2_2 + Scalar(12.0) * omega1 * omega2_4;  // multiplies b3
-  const Scalar w_0 = -Scalar(3.0) * b3;  // multiplies omega1^3*omega2^2
-  const Scalar w_1 = -Scalar(2.0) * a2 * a4;  // multiplies omega1^3
-  const Scalar w_2 = Scalar(12.0) * b3;  // multiplies omega1*omega2^4
-  // multiplies omega1*omega2^2
-  const Scalar w_3 = Scalar(6.0) * a1 * a3 + Scalar(8.0) * a2 * a4 - Scalar(12.0) * a3_2;
-  const Scalar w_4 = -Scalar(24.0) * a3_2;  // multiplies omega2^3
-  // by omega1
-  gradient[0] = (Scalar(3.0) * omega1_2 * omega2_2 * w_0 + Scalar(3.0) * omega1_2 * w_1 + omega2_4 * w_2
-      + omega2_2 * w_3 - lump * (Scalar(48.0) * omega1_3 * omega2_3 - Scalar(36.0) * omega1_2 * omega2_4
-      - Scalar(96.0) * omega1 * omega2_5 + Scalar(48.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_3 * omega2 * w_0 + Scalar(4.0) * omega1 * omega2_3 * w_2
-      + Scalar(2.0) * omega1 * omega2 * w_3 + Scalar(3.0) * omega2_2 * w_4
-      - lump * (Scalar(36.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
-      - Scalar(240.0) * omega1_2 * omega2_4 + Scalar(288.0) * omega1 * omega2_5)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (a4 * c_1) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_2) / denominator;  // by a3
-  gradient[5] = (a2 * c_1) / denominator;  // by a4
-  gradient[8] = (c_3) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 24 operations.
-template <class Scalar>
-void lump_gradient_17(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar denominator = Scalar(4.0) * omega1_2 * omega2_3 + Scalar(4.0) * omega1 * omega2_4 + omega2_5;
-  // by omega1
-  gradient[0] = (-Scalar(2.0) * a2_2 - lump * (Scalar(8.0) * omega1 * omega2_3
-      + Scalar(4.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * a2_2 - lump * (Scalar(12.0) * omega1_2 * omega2_2
-      + Scalar(16.0) * omega1 * omega2_3 + Scalar(5.0) * omega2_4)) / denominator;
-  gradient[3] = (-Scalar(4.0) * omega1 * a2 - Scalar(4.0) * omega2 * a2) / denominator;  // by a2
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 96 operations.
-template <class Scalar>
-void lump_gradient_18(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_6 * omega2_2 - Scalar(15.0) * omega1_4 * omega2_4
-      + Scalar(12.0) * omega1_2 * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(36.0) * omega1_3 * omega2_2 * b4 + Scalar(40.0) * omega1_3 * a3 * a4
-      + Scalar(72.0) * omega1 * omega2_4 * b4 + Scalar(36.0) * omega1 * omega2_2 * a2 * a3
-      - Scalar(80.0) * omega1 * omega2_2 * a3 * a4 - lump * (Scalar(18.0) * omega1_5 * omega2_2
-      - Scalar(60.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1 * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(18.0) * omega1_4 * omega2 * b4 + Scalar(144.0) * omega1_2 * omega2_3 * b4
-      + Scalar(36.0) * omega1_2 * omega2 * a2 * a3 - Scalar(80.0) * omega1_2 * omega2 * a3 * a4
-      - Scalar(192.0) * omega2_3 * a2 * a3 - lump * (Scalar(6.0) * omega1_6 * omega2
-      - Scalar(60.0) * omega1_4 * omega2_3 + Scalar(72.0) * omega1_2 * omega2_5)) / denominator;
-  gradient[3] = (Scalar(18.0) * omega1_2 * omega2_2 * a3 - Scalar(48.0) * omega2_4 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(10.0) * omega1_4 * a4 + Scalar(18.0) * omega1_2 * omega2_2 * a2
-      - Scalar(40.0) * omega1_2 * omega2_2 * a4 - Scalar(48.0) * omega2_4 * a2) / denominator;
-  gradient[5] = (Scalar(10.0) * omega1_4 * a3 - Scalar(40.0) * omega1_2 * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(9.0) * omega1_4 * omega2_2 + Scalar(36.0) * omega1_2 * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 139 operations.
-template <class Scalar>
-void lump_gradient_19(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7;
-  // multiplies a1*a2
-  const Scalar c_0 = -Scalar(4.0) * omega1_4 * omega2 + Scalar(8.0) * omega1_3 * omega2_2
-      + Scalar(20.0) * omega1_2 * omega2_3 - Scalar(32.0) * omega1 * omega2_4 - Scalar(16.0) * omega2_5;
-  // multiplies a2*a3
-  const Scalar c_1 = Scalar(8.0) * omega1_5 + Scalar(4.0) * omega1_4 * omega2 - Scalar(48.0) * omega1_3 * omega2_2
-      - Scalar(24.0) * omega1_2 * omega2_3;
-  // multiplies b2
-  const Scalar c_2 = -Scalar(12.0) * omega1_5 * omega2_2 - Scalar(6.0) * omega1_4 * omega2_3
-      + Scalar(48.0) * omega1_3 * omega2_4 + Scalar(24.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = -Scalar(12.0) * b2;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = Scalar(8.0) * a2 * a3;  // multiplies omega1^5
-  const Scalar w_2 = -Scalar(6.0) * b2;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = -Scalar(4.0) * a1 * a2 + Scalar(4.0) * a2 * a3;  // multiplies omega1^4*omega2
-  const Scalar w_4 = Scalar(48.0) * b2;  // multiplies omega1^3*omega2^4
-  const Scalar w_5 = Scalar(8.0) * a1 * a2 - Scalar(48.0) * a2 * a3;  // multiplies omega1^3*omega2^2
-  const Scalar w_6 = Scalar(24.0) * b2;  // multiplies omega1^2*omega2^5
-  const Scalar w_7 = Scalar(20.0) * a1 * a2 - Scalar(24.0) * a2 * a3;  // multiplies omega1^2*omega2^3
-  const Scalar w_8 = -Scalar(32.0) * a1 * a2;  // multiplies omega1*omega2^4
-  const Scalar w_9 = -Scalar(16.0) * a1 * a2;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(14.0) * omega1_6 * omega2_2 + Scalar(6.0) * omega1_5 * omega2_3
-      - Scalar(50.0) * omega1_4 * omega2_4 - Scalar(20.0) * omega1_3 * omega2_5
-      + Scalar(24.0) * omega1_2 * omega2_6 + Scalar(8.0) * omega1 * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(4.0) * omega1_7 * omega2 + Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(40.0) * omega1_5 * omega2_3 - Scalar(25.0) * omega1_4 * omega2_4
-      + Scalar(48.0) * omega1_3 * omega2_5 + Scalar(28.0) * omega1_2 * omega2_6)) / denominator;
-  gradient[2] = (a2 * c_0) / denominator;  // by a1
-  gradient[3] = (a1 * c_0 + a3 * c_1) / denominator;  // by a2
-  gradient[4] = (a2 * c_1) / denominator;  // by a3
-  gradient[7] = (c_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_x_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 59 operations.
-template <class Scalar>
-void lump_gradient_21(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(39.0) * omega1_2 * omega2_4
-      + Scalar(108.0) * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * omega2_2 * b4 - Scalar(4.0) * omega1 * a3 * a4
-      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(78.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * omega2 * b4 + Scalar(48.0) * omega2_3 * b4
-      + Scalar(12.0) * omega2 * a2 * a3 + Scalar(16.0) * omega2 * a3 * a4
-      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(156.0) * omega1_2 * omega2_3
-      + Scalar(648.0) * omega2_5)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * a4 + Scalar(6.0) * omega2_2 * a2
-      + Scalar(8.0) * omega2_2 * a4) / denominator;
-  gradient[5] = (-Scalar(2.0) * omega1_2 * a3 + Scalar(8.0) * omega2_2 * a3) / denominator;  // by a4
-  gradient[9] = (-Scalar(3.0) * omega1_2 * omega2_2 + Scalar(12.0) * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 132 operations.
-template <class Scalar>
-void lump_gradient_22(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar a2_2 = a2 * a2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(24.0) * omega1_5 * omega2_3 + Scalar(36.0) * omega1_4 * omega2_4
-      - Scalar(84.0) * omega1_3 * omega2_5 - Scalar(144.0) * omega1_2 * omega2_6
-      - Scalar(48.0) * omega1 * omega2_7;
-  const Scalar c_0 = -Scalar(12.0) * omega1_2 * omega2_2 - Scalar(6.0) * omega1 * omega2_3;  // multiplies a1*a3
-  const Scalar c_1 = Scalar(12.0) * omega1_3 * omega2 - Scalar(48.0) * omega1 * omega2_3;  // multiplies a2^2
-  // multiplies a2*a4
-  const Scalar c_2 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 - Scalar(16.0) * omega1_2 * omega2_2
-      - Scalar(8.0) * omega1 * omega2_3;
-  // multiplies a3^2
-  const Scalar c_3 = Scalar(24.0) * omega1_2 * omega2_2 - Scalar(36.0) * omega1 * omega2_3
-      - Scalar(24.0) * omega2_4;
-  // multiplies b3
-  const Scalar c_4 = Scalar(6.0) * omega1_4 * omega2_2 + Scalar(3.0) * omega1_3 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_4 - Scalar(12.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(6.0) * b3;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a2 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(3.0) * b3;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2_2 + Scalar(2.0) * a2 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(24.0) * b3;  // multiplies omega1^2*omega2^4
-  // multiplies omega1^2*omega2^2
-  const Scalar w_5 = -Scalar(12.0) * a1 * a3 - Scalar(16.0) * a2 * a4 + Scalar(24.0) * a3_2;
-  const Scalar w_6 = -Scalar(12.0) * b3;  // multiplies omega1*omega2^5
-  // multiplies omega1*omega2^3
-  const Scalar w_7 = -Scalar(6.0) * a1 * a3 - Scalar(48.0) * a2_2 - Scalar(8.0) * a2 * a4 - Scalar(36.0) * a3_2;
-  const Scalar w_8 = -Scalar(24.0) * a3_2;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(120.0) * omega1_4 * omega2_3 + Scalar(144.0) * omega1_3 * omega2_4
-      - Scalar(252.0) * omega1_2 * omega2_5 - Scalar(288.0) * omega1 * omega2_6
-      - Scalar(48.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(72.0) * omega1_5 * omega2_2
-      + Scalar(144.0) * omega1_4 * omega2_3 - Scalar(420.0) * omega1_3 * omega2_4
-      - Scalar(864.0) * omega1_2 * omega2_5 - Scalar(336.0) * omega1 * omega2_6)) / denominator;
-  gradient[2] = (a3 * c_0) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a2 * c_1 + a4 * c_2) / denominator;  // by a2
-  gradient[4] = (a1 * c_0 + Scalar(2.0) * a3 * c_3) / denominator;  // by a3
-  gradient[5] = (a2 * c_2) / denominator;  // by a4
-  gradient[8] = (c_4) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_im_y_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 31 operations.
-template <class Scalar>
-void lump_gradient_23(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar mu1 = parameters[11];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = omega1_4 - Scalar(4.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(4.0) * a3 * mu1 - lump * (Scalar(4.0) * omega1_3 - Scalar(12.0) * omega1_2 * omega2
-      + Scalar(8.0) * omega1 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(4.0) * a3 * mu1 - lump * (-Scalar(4.0) * omega1_3
-      + Scalar(8.0) * omega1_2 * omega2)) / denominator;
-  gradient[4] = (Scalar(4.0) * omega1 * mu1 - Scalar(4.0) * omega2 * mu1) / denominator;  // by a3
-  gradient[11] = (Scalar(4.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by mu1
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 139 operations.
-template <class Scalar>
-void lump_gradient_24(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega1_7 = omega1_6 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(2.0) * omega1_7 * omega2_2 + omega1_6 * omega2_3
-      - Scalar(10.0) * omega1_5 * omega2_4 - Scalar(5.0) * omega1_4 * omega2_5 + Scalar(8.0) * omega1_3 * omega2_6
-      + Scalar(4.0) * omega1_2 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = Scalar(4.0) * omega1_4 * omega2 - Scalar(8.0) * omega1_3 * omega2_2
-      - Scalar(20.0) * omega1_2 * omega2_3 + Scalar(32.0) * omega1 * omega2_4 + Scalar(16.0) * omega2_5;
-  // multiplies a3*a4
-  const Scalar c_1 = -Scalar(8.0) * omega1_5 - Scalar(4.0) * omega1_4 * omega2
-      + Scalar(48.0) * omega1_3 * omega2_2 + Scalar(24.0) * omega1_2 * omega2_3;
-  // multiplies b4
-  const Scalar c_2 = Scalar(12.0) * omega1_5 * omega2_2 + Scalar(6.0) * omega1_4 * omega2_3
-      - Scalar(48.0) * omega1_3 * omega2_4 - Scalar(24.0) * omega1_2 * omega2_5;
-  const Scalar w_0 = Scalar(12.0) * b4;  // multiplies omega1^5*omega2^2
-  const Scalar w_1 = -Scalar(8.0) * a3 * a4;  // multiplies omega1^5
-  const Scalar w_2 = Scalar(6.0) * b4;  // multiplies omega1^4*omega2^3
-  const Scalar w_3 = Scalar(4.0) * a2 * a3 - Scalar(4.0) * a3 * a4;  // multiplies omega1^4*omega2
-  const Scalar w_4 = -Scalar(48.0) * b4;  // multiplies omega1^3*omega2^4
-  const Scalar w_5 = -Scalar(8.0) * a2 * a3 + Scalar(48.0) * a3 * a4;  // multiplies omega1^3*omega2^2
-  const Scalar w_6 = -Scalar(24.0) * b4;  // multiplies omega1^2*omega2^5
-  const Scalar w_7 = -Scalar(20.0) * a2 * a3 + Scalar(24.0) * a3 * a4;  // multiplies omega1^2*omega2^3
-  const Scalar w_8 = Scalar(32.0) * a2 * a3;  // multiplies omega1*omega2^4
-  const Scalar w_9 = Scalar(16.0) * a2 * a3;  // multiplies omega2^5
-  // by omega1
-  gradient[0] = (Scalar(5.0) * omega1_4 * omega2_2 * w_0 + Scalar(5.0) * omega1_4 * w_1
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_2 + Scalar(4.0) * omega1_3 * omega2 * w_3
-      + Scalar(3.0) * omega1_2 * omega2_4 * w_4 + Scalar(3.0) * omega1_2 * omega2_2 * w_5
-      + Scalar(2.0) * omega1 * omega2_5 * w_6 + Scalar(2.0) * omega1 * omega2_3 * w_7 + omega2_4 * w_8
-      - lump * (Scalar(14.0) * omega1_6 * omega2_2 + Scalar(6.0) * omega1_5 * omega2_3
-      - Scalar(50.0) * omega1_4 * omega2_4 - Scalar(20.0) * omega1_3 * omega2_5
-      + Scalar(24.0) * omega1_2 * omega2_6 + Scalar(8.0) * omega1 * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_5 * omega2 * w_0 + Scalar(3.0) * omega1_4 * omega2_2 * w_2 + omega1_4 * w_3
-      + Scalar(4.0) * omega1_3 * omega2_3 * w_4 + Scalar(2.0) * omega1_3 * omega2 * w_5
-      + Scalar(5.0) * omega1_2 * omega2_4 * w_6 + Scalar(3.0) * omega1_2 * omega2_2 * w_7
-      + Scalar(4.0) * omega1 * omega2_3 * w_8 + Scalar(5.0) * omega2_4 * w_9
-      - lump * (Scalar(4.0) * omega1_7 * omega2 + Scalar(3.0) * omega1_6 * omega2_2
-      - Scalar(40.0) * omega1_5 * omega2_3 - Scalar(25.0) * omega1_4 * omega2_4
-      + Scalar(48.0) * omega1_3 * omega2_5 + Scalar(28.0) * omega1_2 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 40 operations.
-template <class Scalar>
-void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_4 * omega2_2 - Scalar(3.0) * omega1_2 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(18.0) * omega1 * omega2_2 * b2 - Scalar(24.0) * omega1 * a2 * a3
-      - lump * (Scalar(12.0) * omega1_3 * omega2_2 - Scalar(6.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_2 * omega2 * b2 - Scalar(20.0) * omega2 * a1 * a2
-      - lump * (Scalar(6.0) * omega1_4 * omega2 - Scalar(12.0) * omega1_2 * omega2_3)) / denominator;
-  gradient[2] = (-Scalar(10.0) * omega2_2 * a2) / denominator;  // by a1
-  gradient[3] = (-Scalar(12.0) * omega1_2 * a3 - Scalar(10.0) * omega2_2 * a1) / denominator;  // by a2
-  gradient[4] = (-Scalar(12.0) * omega1_2 * a2) / denominator;  // by a3
-  gradient[7] = (Scalar(9.0) * omega1_2 * omega2_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_y_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a3 = parameters[4];
-  const Scalar b3 = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar denominator = Scalar(12.0) * omega1_5 - Scalar(36.0) * omega1_4 * omega2
-      + Scalar(24.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(9.0) * omega1_2 * b3 - Scalar(12.0) * omega1 * omega2 * b3 + Scalar(2.0) * a1 * a3
-      + Scalar(12.0) * a3_2 - lump * (Scalar(60.0) * omega1_4 - Scalar(144.0) * omega1_3 * omega2
-      + Scalar(72.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(6.0) * omega1_2 * b3 - Scalar(4.0) * a1 * a3 - lump * (-Scalar(36.0) * omega1_4
-      + Scalar(48.0) * omega1_3 * omega2)) / denominator;
-  gradient[2] = (Scalar(2.0) * omega1 * a3 - Scalar(4.0) * omega2 * a3) / denominator;  // by a1
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1 * a1 + Scalar(24.0) * omega1 * a3
-      - Scalar(4.0) * omega2 * a1) / denominator;
-  gradient[8] = (Scalar(3.0) * omega1_3 - Scalar(6.0) * omega1_2 * omega2) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 110 operations.
-template <class Scalar>
-void lump_gradient_30(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar denominator = Scalar(3.0) * omega1_5 * omega2_2 - Scalar(12.0) * omega1_4 * omega2_3
-      - Scalar(3.0) * omega1_3 * omega2_4 + Scalar(48.0) * omega1_2 * omega2_5 - Scalar(36.0) * omega1 * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(27.0) * omega1_2 * omega2_2 * b4 + Scalar(6.0) * omega1_2 * a3 * a4
-      - Scalar(36.0) * omega2_4 * b4 - Scalar(6.0) * omega2_2 * a2 * a3 + Scalar(4.0) * omega2_2 * a3 * a4
-      - lump * (Scalar(15.0) * omega1_4 * omega2_2 - Scalar(48.0) * omega1_3 * omega2_3
-      - Scalar(9.0) * omega1_2 * omega2_4 + Scalar(96.0) * omega1 * omega2_5
-      - Scalar(36.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(18.0) * omega1_3 * omega2 * b4 - Scalar(144.0) * omega1 * omega2_3 * b4
-      - Scalar(12.0) * omega1 * omega2 * a2 * a3 + Scalar(8.0) * omega1 * omega2 * a3 * a4
-      + Scalar(72.0) * omega2_2 * a3 * a4 - lump * (Scalar(6.0) * omega1_5 * omega2
-      - Scalar(36.0) * omega1_4 * omega2_2 - Scalar(12.0) * omega1_3 * omega2_3
-      + Scalar(240.0) * omega1_2 * omega2_4 - Scalar(216.0) * omega1 * omega2_5)) / denominator;
-  gradient[3] = (-Scalar(6.0) * omega1 * omega2_2 * a3) / denominator;  // by a2
-  // by a3
-  gradient[4] = (Scalar(2.0) * omega1_3 * a4 - Scalar(6.0) * omega1 * omega2_2 * a2
-      + Scalar(4.0) * omega1 * omega2_2 * a4 + Scalar(24.0) * omega2_3 * a4) / denominator;
-  // by a4
-  gradient[5] = (Scalar(2.0) * omega1_3 * a3 + Scalar(4.0) * omega1 * omega2_2 * a3
-      + Scalar(24.0) * omega2_3 * a3) / denominator;
-  gradient[9] = (Scalar(9.0) * omega1_3 * omega2_2 - Scalar(36.0) * omega1 * omega2_4) / denominator;  // by b4
-}
-
-/// gradient[p] = d harmonic_re_y_A_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 15 operations.
-template <class Scalar>
-void lump_gradient_31(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a1 = parameters[2];
-  const Scalar a2 = parameters[3];
-  const Scalar b2 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(27.0) * omega1_4 - Scalar(3.0) * omega1_2 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * b2 - lump * (Scalar(108.0) * omega1_3
-      - Scalar(6.0) * omega1 * omega2_2)) / denominator;
-  gradient[1] = (-lump * (-Scalar(6.0) * omega1_2 * omega2)) / denominator;  // by omega2
-  gradient[2] = (Scalar(2.0) * a2) / denominator;  // by a1
-  gradient[3] = (Scalar(2.0) * a1) / denominator;  // by a2
-  gradient[7] = (Scalar(3.0) * omega1_2) / denominator;  // by b2
-}
-
-/// gradient[p] = d harmonic_re_y_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 39 operations.
-template <class Scalar>
-void lump_gradient_32(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b5 = parameters[10];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar a3_2 = a3 * a3;
-  const Scalar a4_2 = a4 * a4;
-  const Scalar denominator = Scalar(24.0) * omega1_2 * omega2_4 - Scalar(96.0) * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * omega2_2 * b5 + Scalar(4.0) * omega1 * a4_2
-      - lump * (Scalar(48.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(6.0) * omega1_2 * omega2 * b5 - Scalar(48.0) * omega2_3 * b5
-      - Scalar(12.0) * omega2 * a3_2 - Scalar(16.0) * omega2 * a4_2 - lump * (Scalar(96.0) * omega1_2 * omega2_3
-      - Scalar(576.0) * omega2_5)) / denominator;
-  gradient[4] = (-Scalar(12.0) * omega2_2 * a3) / denominator;  // by a3
-  gradient[5] = (Scalar(4.0) * omega1_2 * a4 - Scalar(16.0) * omega2_2 * a4) / denominator;  // by a4
-  gradient[10] = (Scalar(3.0) * omega1_2 * omega2_2 - Scalar(12.0) * omega2_4) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// N = sum of c_g * (coefficients) = sum of w_g * (natural frequencies), as remarked, besides what has none of
-/// them.
-/// 128 operations.
-template <class Scalar>
-void lump_gradient_33(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar a2 = parameters[3];
-  const Scalar a3 = parameters[4];
-  const Scalar a4 = parameters[5];
-  const Scalar b4 = parameters[9];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar omega2_7 = omega2_6 * omega2;
-  const Scalar denominator = Scalar(6.0) * omega1_6 * omega2_2 + Scalar(27.0) * omega1_5 * omega2_3
-      + Scalar(6.0) * omega1_4 * omega2_4 - Scalar(99.0) * omega1_3 * omega2_5
-      - Scalar(120.0) * omega1_2 * omega2_6 - Scalar(36.0) * omega1 * omega2_7;
-  // multiplies a2*a3
-  const Scalar c_0 = Scalar(12.0) * omega1_3 * omega2 - Scalar(12.0) * omega1_2 * omega2_2
-      - Scalar(54.0) * omega1 * omega2_3;
-  // multiplies a3*a4
-  const Scalar c_1 = Scalar(4.0) * omega1_4 + Scalar(2.0) * omega1_3 * omega2 + Scalar(8.0) * omega1_2 * omega2_2
-      - Scalar(44.0) * omega1 * omega2_3 - Scalar(24.0) * omega2_4;
-  // multiplies b4
-  const Scalar c_2 = Scalar(18.0) * omega1_4 * omega2_2 + Scalar(9.0) * omega1_3 * omega2_3
-      - Scalar(72.0) * omega1_2 * omega2_4 - Scalar(36.0) * omega1 * omega2_5;
-  const Scalar w_0 = Scalar(18.0) * b4;  // multiplies omega1^4*omega2^2
-  const Scalar w_1 = Scalar(4.0) * a3 * a4;  // multiplies omega1^4
-  const Scalar w_2 = Scalar(9.0) * b4;  // multiplies omega1^3*omega2^3
-  const Scalar w_3 = Scalar(12.0) * a2 * a3 + Scalar(2.0) * a3 * a4;  // multiplies omega1^3*omega2
-  const Scalar w_4 = -Scalar(72.0) * b4;  // multiplies omega1^2*omega2^4
-  const Scalar w_5 = -Scalar(12.0) * a2 * a3 + Scalar(8.0) * a3 * a4;  // multiplies omega1^2*omega2^2
-  const Scalar w_6 = -Scalar(36.0) * b4;  // multiplies omega1*omega2^5
-  const Scalar w_7 = -Scalar(54.0) * a2 * a3 - Scalar(44.0) * a3 * a4;  // multiplies omega1*omega2^3
-  const Scalar w_8 = -Scalar(24.0) * a3 * a4;  // multiplies omega2^4
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1_3 * omega2_2 * w_0 + Scalar(4.0) * omega1_3 * w_1
-      + Scalar(3.0) * omega1_2 * omega2_3 * w_2 + Scalar(3.0) * omega1_2 * omega2 * w_3
-      + Scalar(2.0) * omega1 * omega2_4 * w_4 + Scalar(2.0) * omega1 * omega2_2 * w_5 + omega2_5 * w_6
-      + omega2_3 * w_7 - lump * (Scalar(36.0) * omega1_5 * omega2_2 + Scalar(135.0) * omega1_4 * omega2_3
-      + Scalar(24.0) * omega1_3 * omega2_4 - Scalar(297.0) * omega1_2 * omega2_5
-      - Scalar(240.0) * omega1 * omega2_6 - Scalar(36.0) * omega2_7)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1_4 * omega2 * w_0 + Scalar(3.0) * omega1_3 * omega2_2 * w_2 + omega1_3 * w_3
-      + Scalar(4.0) * omega1_2 * omega2_3 * w_4 + Scalar(2.0) * omega1_2 * omega2 * w_5
-      + Scalar(5.0) * omega1 * omega2_4 * w_6 + Scalar(3.0) * omega1 * omega2_2 * w_7
-      + Scalar(4.0) * omega2_3 * w_8 - lump * (Scalar(12.0) * omega1_6 * omega2
-      + Scalar(81.0) * omega1_5 * omega2_2 + Scalar(24.0) * omega1_4 * omega2_3
-      - Scalar(495.0) * omega1_3 * omega2_4 - Scalar(720.0) * omega1_2 * omega2_5
-      - Scalar(252.0) * omega1 * omega2_6)) / denominator;
-  gradient[3] = (a3 * c_0) / denominator;  // by a2
-  gradient[4] = (a2 * c_0 + a4 * c_1) / denominator;  // by a3
-  gradient[5] = (a3 * c_1) / denominator;  // by a4
-  gradient[9] = (c_2) / denominator;  // by b4
+  lumps[30] = lump_38(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y2_conjA_x
+  lumps[31] = lump_39(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x3
+  lumps[32] = lump_15(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y3
+  lumps[33] = lump_16(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y2
 }
 
 /// jacobian[l * 15 + p] = d lumps[l] / d parameters[p]. 90 operations.
@@ -7771,13 +4809,11 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   const Scalar a2_2 = a2 * a2;
   const Scalar mu1_2 = mu1 * mu1;
   const Scalar mu2_2 = mu2 * mu2;
-  Scalar lumps[34];
-  evaluate_lumps(parameters, lumps);
   for (std::size_t i = 0; i < 510; ++i) jacobian[i] = Scalar(0.0);
   jacobian[11] = Scalar(1.0);  // d mu1 / d mu1
   jacobian[15] = mu1_2 / (Scalar(2.0) * omega1_2);  // d conservative_x_A_x / d omega1
   jacobian[26] = -mu1 / omega1;  // d conservative_x_A_x / d mu1
-  lump_gradient_2(parameters, lumps[2], jacobian + 30);  // d conservative_x_A_x_A_y_conjA_y
+  lump_19(parameters, jacobian + 30);  // d conservative_x_A_x_A_y_conjA_y
   // d conservative_x_A_x2_conjA_x / d omega1
   jacobian[45] = (-Scalar(3.0) * omega1_2 * omega2_2 * b1 + Scalar(4.0) * omega1_2 * a2_2 + omega1 * omega2 * a2_2
       + Scalar(10.0) * omega2_2 * a1_2) / (Scalar(2.0) * omega1_4 * omega2_2);
@@ -7799,37 +4835,37 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[118] = Scalar(1.0);  // d mu2 / d mu2
   jacobian[121] = mu2_2 / (Scalar(2.0) * omega2_2);  // d conservative_y_A_y / d omega2
   jacobian[133] = -mu2 / omega2;  // d conservative_y_A_y / d mu2
-  lump_gradient_9(parameters, lumps[9], jacobian + 135);  // d conservative_y_A_y2_conjA_y
-  lump_gradient_10(parameters, lumps[10], jacobian + 150);  // d conservative_y_A_x_A_y_conjA_x
+  lump_9(parameters, jacobian + 135);  // d conservative_y_A_y2_conjA_y
+  lump_21(parameters, jacobian + 150);  // d conservative_y_A_x_A_y_conjA_x
   jacobian[169] = Scalar(1.0);  // d a3 / d a3
   jacobian[182] = Scalar(1.0);  // d a1 / d a1
-  lump_gradient_13(parameters, lumps[13], jacobian + 195);  // d harmonic_re_x_A_y_conjA_x2
-  lump_gradient_14(parameters, lumps[14], jacobian + 210);  // d harmonic_re_x_A_x2_A_y
-  lump_gradient_15(parameters, lumps[15], jacobian + 225);  // d harmonic_im_x_A_y2
-  lump_gradient_16(parameters, lumps[16], jacobian + 240);  // d harmonic_re_x_A_y2_conjA_x
-  lump_gradient_17(parameters, lumps[17], jacobian + 255);  // d harmonic_re_x_A_x3
-  lump_gradient_18(parameters, lumps[18], jacobian + 270);  // d harmonic_re_x_A_y2_conjA_y
-  lump_gradient_19(parameters, lumps[19], jacobian + 285);  // d harmonic_re_x_A_x_A_y_conjA_x
+  lump_22(parameters, jacobian + 195);  // d harmonic_re_x_A_y_conjA_x2
+  lump_27(parameters, jacobian + 210);  // d harmonic_re_x_A_x2_A_y
+  lump_28(parameters, jacobian + 225);  // d harmonic_im_x_A_y2
+  lump_30(parameters, jacobian + 240);  // d harmonic_re_x_A_y2_conjA_x
+  lump_32(parameters, jacobian + 255);  // d harmonic_re_x_A_x3
+  lump_25(parameters, jacobian + 270);  // d harmonic_re_x_A_y2_conjA_y
+  lump_26(parameters, jacobian + 285);  // d harmonic_re_x_A_x_A_y_conjA_x
   jacobian[300] = Scalar(4.0) * a1 * mu1 / (Scalar(3.0) * omega1_4);  // d harmonic_im_x_A_x2 / d omega1
   jacobian[302] = -Scalar(4.0) * mu1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d a1
   jacobian[311] = -Scalar(4.0) * a1 / (Scalar(9.0) * omega1_3);  // d harmonic_im_x_A_x2 / d mu1
-  lump_gradient_21(parameters, lumps[21], jacobian + 315);  // d harmonic_re_x_A_y3
-  lump_gradient_22(parameters, lumps[22], jacobian + 330);  // d harmonic_re_x_A_x_A_y2
-  lump_gradient_23(parameters, lumps[23], jacobian + 345);  // d harmonic_im_y_A_y_conjA_x
-  lump_gradient_24(parameters, lumps[24], jacobian + 360);  // d harmonic_re_y_A_x_A_y_conjA_y
-  lump_gradient_25(parameters, lumps[25], jacobian + 375);  // d harmonic_re_y_A_x2_conjA_x
+  lump_11(parameters, jacobian + 315);  // d harmonic_re_x_A_y3
+  lump_12(parameters, jacobian + 330);  // d harmonic_re_x_A_x_A_y2
+  lump_33(parameters, jacobian + 345);  // d harmonic_im_y_A_y_conjA_x
+  lump_34(parameters, jacobian + 360);  // d harmonic_re_y_A_x_A_y_conjA_y
+  lump_35(parameters, jacobian + 375);  // d harmonic_re_y_A_x2_conjA_x
   jacobian[395] = Scalar(1.0);  // d a4 / d a4
-  lump_gradient_27(parameters, lumps[27], jacobian + 405);  // d harmonic_re_y_A_y_conjA_x2
+  lump_36(parameters, jacobian + 405);  // d harmonic_re_y_A_y_conjA_x2
   jacobian[421] = Scalar(16.0) * a2 * a4 / (Scalar(9.0) * omega2_5);  // d harmonic_re_y_A_x2_A_y / d omega2
   jacobian[423] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a2
   jacobian[425] = -Scalar(4.0) * a2 / (Scalar(9.0) * omega2_4);  // d harmonic_re_y_A_x2_A_y / d a4
   jacobian[436] = Scalar(4.0) * a4 * mu2 / (Scalar(3.0) * omega2_4);  // d harmonic_im_y_A_y2 / d omega2
   jacobian[440] = -Scalar(4.0) * mu2 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d a4
   jacobian[448] = -Scalar(4.0) * a4 / (Scalar(9.0) * omega2_3);  // d harmonic_im_y_A_y2 / d mu2
-  lump_gradient_30(parameters, lumps[30], jacobian + 450);  // d harmonic_re_y_A_y2_conjA_x
-  lump_gradient_31(parameters, lumps[31], jacobian + 465);  // d harmonic_re_y_A_x3
-  lump_gradient_32(parameters, lumps[32], jacobian + 480);  // d harmonic_re_y_A_y3
-  lump_gradient_33(parameters, lumps[33], jacobian + 495);  // d harmonic_re_y_A_x_A_y2
+  lump_38(parameters, jacobian + 450);  // d harmonic_re_y_A_y2_conjA_x
+  lump_39(parameters, jacobian + 465);  // d harmonic_re_y_A_x3
+  lump_15(parameters, jacobian + 480);  // d harmonic_re_y_A_y3
+  lump_16(parameters, jacobian + 495);  // d harmonic_re_y_A_x_A_y2
 }
 
 /// What multiplies the 7 terms of the modulation of x: functions of the frequencies alone. 6 operations.
@@ -8010,22 +5046,22 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 4 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 5 operations.
+/// What multiplies the 4 terms of the harmonic 2*omega2 of x: functions of the frequencies alone. 7 operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = -Scalar(1.0) / (omega1_2 - Scalar(4.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = -per_0 * per_1;
   factor[1] = Scalar(1.0);
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
 }
 
 /// Rows of the harmonic 2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega2)*t) in x = -1/(omega1^2 - 4*omega2^2)*a3*A_y^2 +
+/// amplitude of exp(i*(2*omega2)*t) in x = -1/((omega1 + 2*omega2)*(omega1 - 2*omega2))*a3*A_y^2 +
 /// harmonic_re_x_A_x2_A_y*A_x^2*A_y + harmonic_re_x_A_x2_A_y*A_x^2*A_y + i*harmonic_im_x_A_y2*A_y^2
 /// 3 columns; per observation at most 17 products and sums of complex numbers.
 template <class Factors>
@@ -8061,7 +5097,7 @@ inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 6 terms of the harmonic omega1+omega2 of x: functions of the frequencies alone. 22
+/// What multiplies the 6 terms of the harmonic omega1+omega2 of x: functions of the frequencies alone. 17
 /// operations.
 template <class Scalar>
 void factors_4([[maybe_unused]] const Scalar* natural_frequency,
@@ -8071,11 +5107,10 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega1_3 = omega1_2 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  factor[0] = (-Scalar(8.0) * omega1_3 - Scalar(8.0) * omega1_2 * omega2) / (Scalar(4.0) * omega1_2 * omega2_2
-      + Scalar(4.0) * omega1 * omega2_3 + omega2_4);
-  factor[1] = Scalar(2.0) / (Scalar(2.0) * omega1 * omega2 + omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  factor[0] = (-Scalar(8.0) * omega1_3 - Scalar(8.0) * omega1_2 * omega2) * per_0_2 / omega2_2;
+  factor[1] = Scalar(2.0) * per_0 / omega2;
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(2.0) * omega2 / omega1;
@@ -8083,9 +5118,9 @@ void factors_4([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic omega1+omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + omega2)*t) in x = (-8*omega1^3 - 8*omega1^2*omega2)/(4*omega1^2*omega2^2 +
-/// 4*omega1*omega2^3 + omega2^4)*i*dissipative_x_A_y_conjA_x*A_x*A_y + 2/(2*omega1*omega2 + omega2^2)*a2*A_x*A_y
-/// + harmonic_re_x_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_x_A_x3*A_x^3 +
+/// amplitude of exp(i*(omega1 + omega2)*t) in x = (-8*omega1^3 - 8*omega1^2*omega2)/(omega2^2*(2*omega1 +
+/// omega2)^2)*i*dissipative_x_A_y_conjA_x*A_x*A_y + 2/(omega2*(2*omega1 + omega2))*a2*A_x*A_y +
+/// harmonic_re_x_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_x_A_x3*A_x^3 +
 /// 2*omega2/omega1*harmonic_re_x_A_x3*conj(A_x)*A_y^2 + harmonic_re_x_A_x3*A_x^3
 /// 4 columns; per observation at most 28 products and sums of complex numbers.
 template <class Factors>
@@ -8180,84 +5215,7 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 5>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega2 of x: functions of the frequencies alone. 0 operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 3*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in x = harmonic_re_x_A_y3*A_y^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_y * A_y * A_y));  // harmonic_re_x_A_y3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic omega1+2*omega2 of x: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_7([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1+2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + 2*omega2)*t) in x = harmonic_re_x_A_x_A_y2*A_x*A_y^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_y * A_y));  // harmonic_re_x_A_x_A_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_7(const BatchArrays& data, double* const* columns) {
-  rows_7(data, FactorValues<factors_7<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 6 terms of the harmonic omega1 of y: functions of the frequencies alone. 22 operations.
+/// What multiplies the 6 terms of the harmonic omega1 of y: functions of the frequencies alone. 23 operations.
 template <class Scalar>
 void factors_8([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
@@ -8267,7 +5225,8 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_3 = omega1_2 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = Scalar(2.0) / (omega1_2 - Scalar(2.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = Scalar(2.0) * per_0 / omega1;
   factor[1] = (omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / omega1_3;
   factor[2] = (-omega1_3 - Scalar(3.0) * omega1_2 * omega2
       + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
@@ -8277,7 +5236,7 @@ void factors_8([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic omega1 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1)*t) in y = 2/(omega1^2 - 2*omega1*omega2)*a3*conj(A_x)*A_y + (omega1^3 +
+/// amplitude of exp(i*(omega1)*t) in y = 2/(omega1*(omega1 - 2*omega2))*a3*conj(A_x)*A_y + (omega1^3 +
 /// 3*omega1^2*omega2 - 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*A_x*A_y*conj(A_y) + (-omega1^3 -
 /// 3*omega1^2*omega2 + 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^2*conj(A_x) +
 /// i*harmonic_im_y_A_y_conjA_x*conj(A_x)*A_y + harmonic_re_y_A_x_A_y_conjA_y*A_x*A_y*conj(A_y) +
@@ -8436,23 +5395,24 @@ void factors_11([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_3 = omega1_2 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = Scalar(2.0) / (omega1_2 + Scalar(2.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  factor[0] = Scalar(2.0) * per_0 / omega1;
   factor[1] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2
       + Scalar(4.0) * omega2_3) / (Scalar(2.0) * omega1_2 * omega2);
   factor[2] = (omega1_3 - Scalar(3.0) * omega1_2 * omega2 + Scalar(4.0) * omega2_3) / omega1_3;
-  factor[3] = (-omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) / (omega1_3
-      + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3);
+  factor[3] = (-omega1_3 + Scalar(3.0) * omega1_2 * omega2 - Scalar(4.0) * omega2_3) * per_0_2 * per_1;
   factor[4] = Scalar(1.0);
   factor[5] = Scalar(1.0);
 }
 
 /// Rows of the harmonic omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + omega2)*t) in y = 2/(omega1^2 + 2*omega1*omega2)*a3*A_x*A_y + (omega1^3 -
+/// amplitude of exp(i*(omega1 + omega2)*t) in y = 2/(omega1*(omega1 + 2*omega2))*a3*A_x*A_y + (omega1^3 -
 /// 3*omega1^2*omega2 + 4*omega2^3)/(2*omega1^2*omega2)*harmonic_re_x_A_x2_A_y*A_x^3 + (omega1^3 -
 /// 3*omega1^2*omega2 + 4*omega2^3)/omega1^3*harmonic_re_x_A_x2_A_y*conj(A_x)*A_y^2 + (-omega1^3 +
-/// 3*omega1^2*omega2 - 4*omega2^3)/(omega1^3 + 3*omega1^2*omega2 -
-/// 4*omega2^3)*i*harmonic_im_y_A_y_conjA_x*A_x*A_y + harmonic_re_y_A_y2_conjA_x*conj(A_x)*A_y^2 +
-/// harmonic_re_y_A_x3*A_x^3
+/// 3*omega1^2*omega2 - 4*omega2^3)/((omega1 + 2*omega2)^2*(omega1 - omega2))*i*harmonic_im_y_A_y_conjA_x*A_x*A_y
+/// + harmonic_re_y_A_y2_conjA_x*conj(A_x)*A_y^2 + harmonic_re_y_A_x3*A_x^3
 /// 5 columns; per observation at most 27 products and sums of complex numbers.
 template <class Factors>
 void rows_11(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -8492,83 +5452,6 @@ inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size
   rows_11(data, FactorSlopes<factors_11<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega2 of y: functions of the frequencies alone. 0 operations.
-template <class Scalar>
-void factors_12([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic 3*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in y = harmonic_re_y_A_y3*A_y^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_y * A_y * A_y));  // harmonic_re_y_A_y3
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_12(const BatchArrays& data, double* const* columns) {
-  rows_12(data, FactorValues<factors_12<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_12(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic omega1+2*omega2 of y: functions of the frequencies alone. 0
-/// operations.
-template <class Scalar>
-void factors_13([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  factor[0] = Scalar(1.0);
-}
-
-/// Rows of the harmonic omega1+2*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + 2*omega2)*t) in y = harmonic_re_y_A_x_A_y2*A_x*A_y^2
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_13(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_y * A_y));  // harmonic_re_y_A_x_A_y2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_13(const BatchArrays& data, double* const* columns) {
-  rows_13(data, FactorValues<factors_13<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
 /// and derivative hold Re B_0, Im B_0, Re B_1, ..., forcing Re F, Im F of every excitation.
 /// dB_x/dt + i*(w_x - omega1)*B_x = -mu1*A_x + i*conservative_x_A_x*A_x +
@@ -8601,10 +5484,10 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + times_i(lumps[3] * (norm_A_x * A_x))
        + lumps[4] * (conj_A_x * A_y)
        + times_i(lumps[5] * Scalar(1.0) / omega1 * (conj_A_x * A_y))
-       + times_i(lumps[5] * ((Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2)) * (conj_A_x * A_y))
+       + times_i(lumps[5] * (Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2) * (conj_A_x * A_y))
        - times_i((-omega1 + omega2 / Scalar(2.0)) * A_x));
   store_complex(derivative, 1, times_i(lumps[5] * Scalar(1.0) / (Scalar(2.0) * omega2) * (A_x * A_x))
-       + times_i(lumps[5] * ((-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2)) * (A_x * A_x))
+       + times_i(lumps[5] * (-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2) * (A_x * A_x))
        + lumps[6] * (A_x * A_x)
        + lumps[7] * (-Scalar(1.0)) * (A_y)
        + times_i(lumps[8] * (A_y))
@@ -8642,7 +5525,7 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
   const Complex conj_by_0_0 = times_i(lumps[3] * (A_x * A_x))
        + lumps[4] * (A_y)
        + times_i(lumps[5] * Scalar(1.0) / omega1 * (A_y))
-       + times_i(lumps[5] * ((Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2)) * (A_y));
+       + times_i(lumps[5] * (Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2) * (A_y));
   jacobian[0] = by_0_0.real + conj_by_0_0.real;
   jacobian[1] = conj_by_0_0.imag - by_0_0.imag;
   jacobian[4] = by_0_0.imag + conj_by_0_0.imag;
@@ -8650,14 +5533,14 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
   const Complex by_0_1 = times_i(lumps[2] * (A_x * conj_A_y))
        + lumps[4] * (conj_A_x)
        + times_i(lumps[5] * Scalar(1.0) / omega1 * (conj_A_x))
-       + times_i(lumps[5] * ((Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2)) * (conj_A_x));
+       + times_i(lumps[5] * (Scalar(2.0) * omega1 - omega2) / (Scalar(2.0) * omega1_2) * (conj_A_x));
   const Complex conj_by_0_1 = times_i(lumps[2] * (A_x * A_y));
   jacobian[2] = by_0_1.real + conj_by_0_1.real;
   jacobian[3] = conj_by_0_1.imag - by_0_1.imag;
   jacobian[6] = by_0_1.imag + conj_by_0_1.imag;
   jacobian[7] = by_0_1.real - conj_by_0_1.real;
   const Complex by_1_0 = times_i(lumps[5] * Scalar(1.0) / (Scalar(2.0) * omega2) * Scalar(2) * (A_x))
-       + times_i(lumps[5] * ((-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2)) * Scalar(2) * (A_x))
+       + times_i(lumps[5] * (-Scalar(2.0) * omega1 + omega2) / (Scalar(4.0) * omega2_2) * Scalar(2) * (A_x))
        + lumps[6] * Scalar(2) * (A_x)
        + times_i(lumps[10] * (conj_A_x * A_y));
   const Complex conj_by_1_0 = times_i(lumps[10] * (A_x * A_y));

@@ -126,7 +126,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "mathieu_duffing",
   .source = "E. Mathieu, Journal de Mathematiques 13, 137 (1868), with a cubic term",
-  .fingerprint = "08e2aa0c90d0b18c",
+  .fingerprint = "fa7c337e55458ed5",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

@@ -225,7 +225,7 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 10>{mode}, columns);
 }
 
-/// What multiplies the 7 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 42
+/// What multiplies the 7 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 31
 /// operations.
 template <class Scalar>
 void factors_1([[maybe_unused]] const Scalar* natural_frequency,
@@ -235,26 +235,23 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_2 = omega0 * omega0;
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = (Scalar(48.0) * omega0_3 - Scalar(48.0) * omega0_2 * Omega) / (Scalar(28.0) * omega0_2 * Omega_2
-      + Scalar(28.0) * omega0 * Omega_3 + Scalar(7.0) * Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  factor[0] = (Scalar(48.0) * omega0_3 - Scalar(48.0) * omega0_2 * Omega) * per_0_2 / (Scalar(7.0) * Omega_2);
   factor[1] = -Scalar(9.0) / (Scalar(28.0) * omega0);
-  factor[2] = (-Scalar(16.0) * omega0_3 - Scalar(16.0) * omega0_2 * Omega) / (Scalar(12.0) * omega0_2 * Omega_2
-      + Scalar(12.0) * omega0 * Omega_3 + Scalar(3.0) * Omega_4);
+  factor[2] = (-Scalar(16.0) * omega0_3 - Scalar(16.0) * omega0_2 * Omega) * per_0_2 / (Scalar(3.0) * Omega_2);
   factor[3] = -Scalar(1.0) / (Scalar(8.0) * omega0);
   factor[4] = Scalar(1.0) / (Scalar(8.0) * omega0_2);
   factor[5] = Scalar(7.0) / (Scalar(20.0) * omega0);
-  factor[6] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
+  factor[6] = per_0 / (Scalar(2.0) * Omega);
 }
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in x = (48*omega0^3 - 48*omega0^2*Omega)/(28*omega0^2*Omega^2 +
-/// 28*omega0*Omega^3 + 7*Omega^4)*conservative_x_A_x3_F*A_x^2*conj(A_x)*F -
-/// 9/(28*omega0)*conservative_x_A_x3_F*A_x^2*conj(A_x)*F + (-16*omega0^3 -
-/// 16*omega0^2*Omega)/(12*omega0^2*Omega^2 + 12*omega0*Omega^3 + 3*Omega^4)*conservative_x_A_x_F2*conj(A_x)*F^2
-/// - 1/(8*omega0)*i*dissipative_x_A_x2_conjA_x*A_x^3 + 1/(8*omega0^2)*a3*A_x^3 +
-/// 7/(20*omega0)*conservative_x_A_x3_conjA_x2*A_x^4*conj(A_x) + 1/(4*omega0*Omega + 2*Omega^2)*h*A_x*F
+/// amplitude of exp(i*(omega0 + Omega)*t) in x = (48*omega0^3 - 48*omega0^2*Omega)/(7*Omega^2*(2*omega0 +
+/// Omega)^2)*conservative_x_A_x3_F*A_x^2*conj(A_x)*F - 9/(28*omega0)*conservative_x_A_x3_F*A_x^2*conj(A_x)*F +
+/// (-16*omega0^3 - 16*omega0^2*Omega)/(3*Omega^2*(2*omega0 + Omega)^2)*conservative_x_A_x_F2*conj(A_x)*F^2 -
+/// 1/(8*omega0)*i*dissipative_x_A_x2_conjA_x*A_x^3 + 1/(8*omega0^2)*a3*A_x^3 +
+/// 7/(20*omega0)*conservative_x_A_x3_conjA_x2*A_x^4*conj(A_x) + 1/(2*Omega*(2*omega0 + Omega))*h*A_x*F
 /// 6 columns; per observation at most 36 products and sums of complex numbers.
 template <class Factors>
 void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -299,7 +296,7 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 7>{mode}, columns);
 }
 
-/// What multiplies the 3 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 34
+/// What multiplies the 3 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 30
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
@@ -309,21 +306,21 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_2 = omega0 * omega0;
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (Scalar(4.0) * omega0 + Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega0 + Omega);
   factor[0] = (Scalar(48.0) * omega0_3 + Scalar(4.0) * omega0_2 * Omega
-      + Scalar(2.0) * omega0 * Omega_2) / (Scalar(112.0) * omega0_3 * Omega + Scalar(140.0) * omega0_2 * Omega_2
-      + Scalar(56.0) * omega0 * Omega_3 + Scalar(7.0) * Omega_4);
-  factor[1] = Scalar(4.0) * omega0_3 / (Scalar(6.0) * omega0_2 * Omega_2 + Scalar(9.0) * omega0 * Omega_3
-      + Scalar(3.0) * Omega_4);
+      + Scalar(2.0) * omega0 * Omega_2) * per_0_2 * per_1 / (Scalar(7.0) * Omega);
+  factor[1] = Scalar(4.0) * omega0_3 * per_2 * per_0 / (Scalar(3.0) * Omega_2);
   factor[2] = -Scalar(1.0) / (Scalar(60.0) * omega0);
 }
 
 /// Rows of the harmonic omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
 /// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = (48*omega0^3 + 4*omega0^2*Omega +
-/// 2*omega0*Omega^2)/(112*omega0^3*Omega + 140*omega0^2*Omega^2 + 56*omega0*Omega^3 +
-/// 7*Omega^4)*conservative_x_A_x3_F*A_x^3*F + 4*omega0^3/(6*omega0^2*Omega^2 + 9*omega0*Omega^3 +
-/// 3*Omega^4)*conservative_x_A_x_F2*A_x*F^2 - 1/(60*omega0)*conservative_x_A_x3_conjA_x2*A_x^5
+/// 2*omega0*Omega^2)/(7*Omega*(2*omega0 + Omega)^2*(4*omega0 + Omega))*conservative_x_A_x3_F*A_x^3*F +
+/// 4*omega0^3/(3*Omega^2*(omega0 + Omega)*(2*omega0 + Omega))*conservative_x_A_x_F2*A_x*F^2 -
+/// 1/(60*omega0)*conservative_x_A_x3_conjA_x2*A_x^5
 /// 3 columns; per observation at most 13 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -392,7 +389,7 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + times_i(lumps[5] * Scalar(3.0) / (Scalar(2.0) * omega0) * (norm_A_x * A_x))
        + times_i(lumps[6] * (norm_A_x * norm_A_x * A_x))
        + times_i(lumps[7] * Scalar(1.0) / (Scalar(4.0) * omega0) * (conj_A_x * F))
-       + times_i(lumps[7] * ((Scalar(2.0) * omega0 - Omega) / (Scalar(8.0) * omega0_2)) * (conj_A_x * F))
+       + times_i(lumps[7] * (Scalar(2.0) * omega0 - Omega) / (Scalar(8.0) * omega0_2) * (conj_A_x * F))
        - times_i((-omega0 + excitation_frequency[0] / Scalar(2.0)) * A_x));
 }
 
@@ -431,7 +428,7 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
        + times_i(lumps[5] * Scalar(3.0) / (Scalar(2.0) * omega0) * (A_x * A_x))
        + times_i(lumps[6] * Scalar(2) * (norm_A_x * A_x * A_x))
        + times_i(lumps[7] * Scalar(1.0) / (Scalar(4.0) * omega0) * (F))
-       + times_i(lumps[7] * ((Scalar(2.0) * omega0 - Omega) / (Scalar(8.0) * omega0_2)) * (F));
+       + times_i(lumps[7] * (Scalar(2.0) * omega0 - Omega) / (Scalar(8.0) * omega0_2) * (F));
   jacobian[0] = by_0_0.real + conj_by_0_0.real;
   jacobian[1] = conj_by_0_0.imag - by_0_0.imag;
   jacobian[2] = by_0_0.imag + conj_by_0_0.imag;
@@ -531,20 +528,20 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic 0 of x: functions of the frequencies alone. 11 operations.
+/// What multiplies the 2 terms of the harmonic 0 of x: functions of the frequencies alone. 7 operations.
 template <class Scalar>
 void factors_1([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = -Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
-  factor[1] = -Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 - Omega);
+  factor[0] = -per_0 / (Scalar(2.0) * Omega);
+  factor[1] = -per_0 / (Scalar(2.0) * Omega);
 }
 
 /// Rows of the harmonic 0 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in x = -1/(4*omega0*Omega - 2*Omega^2)*h*conj(A_x)*F - 1/(4*omega0*Omega -
-/// 2*Omega^2)*h*A_x*F
+/// amplitude of exp(i*(0)*t) in x = -1/(2*Omega*(2*omega0 - Omega))*h*conj(A_x)*F - 1/(2*Omega*(2*omega0 -
+/// Omega))*h*A_x*F
 /// 1 columns; per observation at most 7 products and sums of complex numbers.
 template <class Factors>
 void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -578,19 +575,19 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 6
+/// What multiplies the 1 terms of the harmonic omega0+Omega of x: functions of the frequencies alone. 5
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  factor[0] = per_0 / (Scalar(2.0) * Omega);
 }
 
 /// Rows of the harmonic omega0+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in x = 1/(4*omega0*Omega + 2*Omega^2)*h*A_x*F
+/// amplitude of exp(i*(omega0 + Omega)*t) in x = 1/(2*Omega*(2*omega0 + Omega))*h*A_x*F
 /// 1 columns; per observation at most 3 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -622,7 +619,7 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 16
+/// What multiplies the 2 terms of the harmonic omega0+2*Omega of x: functions of the frequencies alone. 15
 /// operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
@@ -632,16 +629,15 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0_2 = omega0 * omega0;
   const Scalar omega0_3 = omega0_2 * omega0;
   const Scalar Omega_2 = Omega * Omega;
-  const Scalar Omega_3 = Omega_2 * Omega;
-  const Scalar Omega_4 = Omega_3 * Omega;
-  factor[0] = -Scalar(3.0) * omega0_3 / (Scalar(8.0) * omega0_2 * Omega_2 + Scalar(12.0) * omega0 * Omega_3
-      + Scalar(4.0) * Omega_4);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  factor[0] = -Scalar(3.0) * omega0_3 * per_0 * per_1 / (Scalar(4.0) * Omega_2);
   factor[1] = Scalar(1.0) / (Scalar(8.0) * omega0_2);
 }
 
 /// Rows of the harmonic omega0+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = -3*omega0^3/(8*omega0^2*Omega^2 + 12*omega0*Omega^3 +
-/// 4*Omega^4)*conservative_x_A_x_F2*A_x*F^2 + 1/(8*omega0^2)*a3*A_x^3
+/// amplitude of exp(i*(omega0 + 2*Omega)*t) in x = -3*omega0^3/(4*Omega^2*(omega0 + Omega)*(2*omega0 +
+/// Omega))*conservative_x_A_x_F2*A_x*F^2 + 1/(8*omega0^2)*a3*A_x^3
 /// 2 columns; per observation at most 10 products and sums of complex numbers.
 template <class Factors>
 void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {

@@ -125,6 +125,1247 @@ void acceleration_by_parameters([[maybe_unused]] const Parameter* parameters,
   slope[17] = -(-Scalar(1.0) * displacement[0] * Scalar(excitation[0].value));  // equation 2 by q
 }
 
+/// conservative_x_A_x2_A_y_F = (-2*omega1*b3*q - 3*omega2*b1*p)/(16*omega1^3*omega2) - b3*p/(16*omega1^2*(omega1
+/// + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 22 operations.
+template <class Scalar>
+Scalar lump_0(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = -b3 * q / (Scalar(8.0) * omega1_2 * omega2);
+  const Scalar f_1 = -Scalar(3.0) * b1 * p / (Scalar(16.0) * omega1_3);
+  const Scalar f_2 = -b3 * p * per_0 / (Scalar(16.0) * omega1_2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  gradient[0] = (-Scalar(2.0) * f_0 - Scalar(3.0) * f_1 - Scalar(2.0) * f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = -f_0 / omega2 - q_0;  // by omega2
+  const Scalar c_0 = -Scalar(3.0) / (Scalar(16.0) * omega1_3);  // multiplies b1*p
+  const Scalar c_1 = -per_0 / (Scalar(16.0) * omega1_2);  // multiplies b3*p
+  const Scalar c_2 = -Scalar(1.0) / (Scalar(8.0) * omega1_2 * omega2);  // multiplies b3*q
+  gradient[3] = p * c_0;  // by b1
+  gradient[4] = p * c_1 + q * c_2;  // by b3
+  gradient[5] = b1 * c_0 + b3 * c_1;  // by p
+  gradient[8] = b3 * c_2;  // by q
+  return value;
+}
+
+/// conservative_x_A_x_F2 = (omega1*p*q + 2*omega2*p*q)/(32*omega1^2*omega2*(omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 17 operations.
+template <class Scalar>
+Scalar lump_1(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar p = parameters[5];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = p * q * per_0 / (Scalar(32.0) * omega1 * omega2);
+  const Scalar f_1 = p * q * per_0 / (Scalar(16.0) * omega1_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1) / omega1 - q_0;  // by omega1
+  gradient[1] = -f_0 / omega2 - q_0;  // by omega2
+  // multiplies p*q
+  const Scalar c_0 = (omega1 + Scalar(2.0) * omega2) * per_0 / (Scalar(32.0) * omega1_2 * omega2);
+  gradient[5] = q * c_0;  // by p
+  gradient[8] = p * c_0;  // by q
+  return value;
+}
+
+/// conservative_x_A_x_A_y2_conjA_y2 = (-3*omega1^2*b3^2 + 2*omega2^2*b3^2)/(4*omega1^3*(omega1 + omega2)*(omega1
+/// - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 22 operations.
+template <class Scalar>
+Scalar lump_2(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -Scalar(3.0) * b3_2 * per_0 * per_1 / (Scalar(4.0) * omega1);
+  const Scalar f_1 = omega2_2 * b3_2 * per_0 * per_1 / (Scalar(2.0) * omega1_3);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  const Scalar q_1 = (f_0 + f_1) * per_1;
+  gradient[0] = (-f_0 - Scalar(3.0) * f_1) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = Scalar(2.0) * f_1 / omega2 - q_0 + q_1;  // by omega2
+  // multiplies b3^2
+  const Scalar c_0 = (-Scalar(3.0) * omega1_2 + Scalar(2.0) * omega2_2) * per_0 * per_1 / (Scalar(4.0) * omega1_3);
+  gradient[4] = Scalar(2.0) * b3 * c_0;  // by b3
+  return value;
+}
+
+/// conservative_x_A_x2_A_y_conjA_x_conjA_y = -3*b1*b3/(2*omega1^3) + b3^2/(2*omega1*(omega1 + omega2)*(omega1 -
+/// omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 19 operations.
+template <class Scalar>
+Scalar lump_3(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -Scalar(3.0) * b1 * b3 / (Scalar(2.0) * omega1_3);
+  const Scalar f_1 = b3_2 * per_0 * per_1 / (Scalar(2.0) * omega1);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_1 * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-Scalar(3.0) * f_0 - f_1) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -q_0 + q_1;  // by omega2
+  const Scalar c_0 = -Scalar(3.0) / (Scalar(2.0) * omega1_3);  // multiplies b1*b3
+  const Scalar c_1 = per_0 * per_1 / (Scalar(2.0) * omega1);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// conservative_x_A_y_conjA_y2_F = (-3*omega1*p*b5 + 2*omega2*b3*p)/(16*omega1^3*omega2) -
+/// b3*p/(16*omega1*omega2*(omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 25 operations.
+template <class Scalar>
+Scalar lump_4(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar b5 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = -Scalar(3.0) * p * b5 / (Scalar(16.0) * omega1_2 * omega2);
+  const Scalar f_1 = b3 * p / (Scalar(8.0) * omega1_3);
+  const Scalar f_2 = -b3 * p * per_0 / (Scalar(16.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  gradient[0] = (-Scalar(2.0) * f_0 - Scalar(3.0) * f_1 - f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-f_0 - f_2) / omega2 - q_0;  // by omega2
+  // multiplies b3*p
+  const Scalar c_0 = Scalar(1.0) / (Scalar(8.0) * omega1_3) - per_0 / (Scalar(16.0) * omega1 * omega2);
+  const Scalar c_1 = -Scalar(3.0) / (Scalar(16.0) * omega1_2 * omega2);  // multiplies p*b5
+  gradient[4] = p * c_0;  // by b3
+  gradient[5] = b3 * c_0 + b5 * c_1;  // by p
+  gradient[7] = p * c_1;  // by b5
+  return value;
+}
+
+/// conservative_x_A_x_conjA_x_conjA_y_F = (-omega1*b3*p + 3*omega2*b1*p)/(8*omega1^3*omega2) +
+/// b3*q/(8*omega1*omega2*(omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 24 operations.
+template <class Scalar>
+Scalar lump_5(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = -b3 * p / (Scalar(8.0) * omega1_2 * omega2);
+  const Scalar f_1 = Scalar(3.0) * b1 * p / (Scalar(8.0) * omega1_3);
+  const Scalar f_2 = b3 * q * per_0 / (Scalar(8.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  gradient[0] = (-Scalar(2.0) * f_0 - Scalar(3.0) * f_1 - f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-f_0 - f_2) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = Scalar(3.0) / (Scalar(8.0) * omega1_3);  // multiplies b1*p
+  const Scalar c_1 = -Scalar(1.0) / (Scalar(8.0) * omega1_2 * omega2);  // multiplies b3*p
+  const Scalar c_2 = per_0 / (Scalar(8.0) * omega1 * omega2);  // multiplies b3*q
+  gradient[3] = p * c_0;  // by b1
+  gradient[4] = p * c_1 + q * c_2;  // by b3
+  gradient[5] = b1 * c_0 + b3 * c_1;  // by p
+  gradient[8] = b3 * c_2;  // by q
+  return value;
+}
+
+/// conservative_y_A_x_A_y2_F = (-3*omega1*b5*q - 2*omega2*b3*p)/(16*omega1*omega2^3) - b3*q/(16*omega2^2*(omega1
+/// + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 22 operations.
+template <class Scalar>
+Scalar lump_6(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar b5 = parameters[7];
+  const Scalar q = parameters[8];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = -Scalar(3.0) * b5 * q / (Scalar(16.0) * omega2_3);
+  const Scalar f_1 = -b3 * p / (Scalar(8.0) * omega1 * omega2_2);
+  const Scalar f_2 = -b3 * q * per_0 / (Scalar(16.0) * omega2_2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  gradient[0] = -f_1 / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - Scalar(2.0) * f_2) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = -Scalar(1.0) / (Scalar(8.0) * omega1 * omega2_2);  // multiplies b3*p
+  const Scalar c_1 = -per_0 / (Scalar(16.0) * omega2_2);  // multiplies b3*q
+  const Scalar c_2 = -Scalar(3.0) / (Scalar(16.0) * omega2_3);  // multiplies b5*q
+  gradient[4] = p * c_0 + q * c_1;  // by b3
+  gradient[5] = b3 * c_0;  // by p
+  gradient[7] = q * c_2;  // by b5
+  gradient[8] = b3 * c_1 + b5 * c_2;  // by q
+  return value;
+}
+
+/// conservative_y_A_x_A_y2_conjA_x_conjA_y = -3*b3*b5/(2*omega2^3) - b3^2/(2*omega2*(omega1 + omega2)*(omega1 -
+/// omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 19 operations.
+template <class Scalar>
+Scalar lump_7(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -Scalar(3.0) * b3 * b5 / (Scalar(2.0) * omega2_3);
+  const Scalar f_1 = -b3_2 * per_0 * per_1 / (Scalar(2.0) * omega2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_1 * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - f_1) / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = -per_0 * per_1 / (Scalar(2.0) * omega2);  // multiplies b3^2
+  const Scalar c_1 = -Scalar(3.0) / (Scalar(2.0) * omega2_3);  // multiplies b3*b5
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// conservative_y_A_y_conjA_x_conjA_y_F = (3*omega1*b5*q - omega2*b3*q)/(8*omega1*omega2^3) +
+/// b3*p/(8*omega1*omega2*(omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 24 operations.
+template <class Scalar>
+Scalar lump_8(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar b5 = parameters[7];
+  const Scalar q = parameters[8];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = Scalar(3.0) * b5 * q / (Scalar(8.0) * omega2_3);
+  const Scalar f_1 = -b3 * q / (Scalar(8.0) * omega1 * omega2_2);
+  const Scalar f_2 = b3 * p * per_0 / (Scalar(8.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  gradient[0] = (-f_1 - f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - f_2) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = per_0 / (Scalar(8.0) * omega1 * omega2);  // multiplies b3*p
+  const Scalar c_1 = -Scalar(1.0) / (Scalar(8.0) * omega1 * omega2_2);  // multiplies b3*q
+  const Scalar c_2 = Scalar(3.0) / (Scalar(8.0) * omega2_3);  // multiplies b5*q
+  gradient[4] = p * c_0 + q * c_1;  // by b3
+  gradient[5] = b3 * c_0;  // by p
+  gradient[7] = q * c_2;  // by b5
+  gradient[8] = b3 * c_1 + b5 * c_2;  // by q
+  return value;
+}
+
+/// conservative_y_A_x_conjA_x2_F = (2*omega1*b3*q - 3*omega2*b1*q)/(16*omega1*omega2^3) -
+/// b3*q/(16*omega1*omega2*(omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 25 operations.
+template <class Scalar>
+Scalar lump_9(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar q = parameters[8];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = b3 * q / (Scalar(8.0) * omega2_3);
+  const Scalar f_1 = -Scalar(3.0) * b1 * q / (Scalar(16.0) * omega1 * omega2_2);
+  const Scalar f_2 = -b3 * q * per_0 / (Scalar(16.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_2 * per_0;
+  gradient[0] = (-f_1 - f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - f_2) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = -Scalar(3.0) / (Scalar(16.0) * omega1 * omega2_2);  // multiplies b1*q
+  // multiplies b3*q
+  const Scalar c_1 = Scalar(1.0) / (Scalar(8.0) * omega2_3) - per_0 / (Scalar(16.0) * omega1 * omega2);
+  gradient[3] = q * c_0;  // by b1
+  gradient[4] = q * c_1;  // by b3
+  gradient[8] = b1 * c_0 + b3 * c_1;  // by q
+  return value;
+}
+
+/// harmonic_re_x_A_y_conjA_x2_F = b3*p/(32*omega1*omega2*(omega1 - omega2)^2) + 3*b1*p/(32*omega2^2*(omega1 +
+/// omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 23 operations.
+template <class Scalar>
+Scalar lump_10(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = b3 * p * per_0_2 / (Scalar(32.0) * omega1 * omega2);
+  const Scalar f_1 = Scalar(3.0) * b1 * p * per_1 * per_0 / (Scalar(32.0) * omega2_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + f_1) * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = -f_0 / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = (-f_0 - Scalar(2.0) * f_1) / omega2 + q_0 - q_1;  // by omega2
+  const Scalar c_0 = Scalar(3.0) * per_1 * per_0 / (Scalar(32.0) * omega2_2);  // multiplies b1*p
+  const Scalar c_1 = per_0_2 / (Scalar(32.0) * omega1 * omega2);  // multiplies b3*p
+  gradient[3] = p * c_0;  // by b1
+  gradient[4] = p * c_1;  // by b3
+  gradient[5] = b1 * c_0 + b3 * c_1;  // by p
+  return value;
+}
+
+/// harmonic_re_x_A_y3_F = (omega1*b3*p - 2*omega2*b3*p)/(32*omega1*omega2^2*(omega1 - omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 17 operations.
+template <class Scalar>
+Scalar lump_11(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = b3 * p * per_0_2 / (Scalar(32.0) * omega2_2);
+  const Scalar f_1 = -b3 * p * per_0_2 / (Scalar(16.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1) * per_0;
+  gradient[0] = -f_1 / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(2.0) * f_0 - f_1) / omega2 + q_0;  // by omega2
+  // multiplies b3*p
+  const Scalar c_0 = (omega1 - Scalar(2.0) * omega2) * per_0_2 / (Scalar(32.0) * omega1 * omega2_2);
+  gradient[4] = p * c_0;  // by b3
+  gradient[5] = b3 * c_0;  // by p
+  return value;
+}
+
+/// harmonic_re_x_A_y3_conjA_x_conjA_y = (5*omega1^2*b3*b5 - 11*omega1*omega2*b3*b5 +
+/// 4*omega2^2*b3^2)/(16*omega1*omega2^3*(omega1 - omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 28 operations.
+template <class Scalar>
+Scalar lump_12(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = Scalar(5.0) * omega1 * b3 * b5 * per_0_2 / (Scalar(16.0) * omega2_3);
+  const Scalar f_1 = -Scalar(11.0) * b3 * b5 * per_0_2 / (Scalar(16.0) * omega2_2);
+  const Scalar f_2 = b3_2 * per_0_2 / (Scalar(4.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  gradient[0] = (f_0 - f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - f_2) / omega2 + q_0;  // by omega2
+  const Scalar c_0 = per_0_2 / (Scalar(4.0) * omega1 * omega2);  // multiplies b3^2
+  // multiplies b3*b5
+  const Scalar c_1 = (Scalar(5.0) * omega1 - Scalar(11.0) * omega2) * per_0_2 / (Scalar(16.0) * omega2_3);
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_x_A_x_A_y2_conjA_x2 = (2*omega1^2*b3^2 - 4*omega1*omega2*b3^2 -
+/// omega2^2*b3^2)/(8*omega1*omega2^3*(omega1 - omega2)^2) + (6*omega1*b1*b3 +
+/// 3*omega2*b1*b3)/(8*omega1*omega2*(omega1 + omega2)*(omega1 - omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 45 operations.
+template <class Scalar>
+Scalar lump_13(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = omega1 * b3_2 * per_0_2 / (Scalar(4.0) * omega2_3);
+  const Scalar f_1 = -b3_2 * per_0_2 / (Scalar(2.0) * omega2_2);
+  const Scalar f_2 = -b3_2 * per_0_2 / (Scalar(8.0) * omega1 * omega2);
+  const Scalar f_3 = Scalar(3.0) * b1 * b3 * per_1 * per_0_2 / (Scalar(4.0) * omega2);
+  const Scalar f_4 = Scalar(3.0) * b1 * b3 * per_1 * per_0_2 / (Scalar(8.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2 + Scalar(2.0) * f_3
+      + Scalar(2.0) * f_4) * per_0;
+  const Scalar q_1 = (f_3 + f_4) * per_1;
+  gradient[0] = (f_0 - f_2 - f_4) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - f_2 - f_3) / omega2 + q_0 - q_1;  // by omega2
+  // multiplies b1*b3
+  const Scalar c_0 = (Scalar(6.0) * omega1
+      + Scalar(3.0) * omega2) * per_1 * per_0_2 / (Scalar(8.0) * omega1 * omega2);
+  // multiplies b3^2
+  const Scalar c_1 = (Scalar(2.0) * omega1_2 - Scalar(4.0) * omega1 * omega2
+      - omega2_2) * per_0_2 / (Scalar(8.0) * omega1 * omega2_3);
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_y2_conjA_y_F = (3*omega1*p*b5 - 2*omega2*b3*p + 6*omega2*p*b5)/(32*omega2^3*(omega1 +
+/// omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 24 operations.
+template <class Scalar>
+Scalar lump_14(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar b5 = parameters[7];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = Scalar(3.0) * omega1 * p * b5 * per_0_2 / (Scalar(32.0) * omega2_3);
+  const Scalar f_1 = (-b3 * p + Scalar(3.0) * p * b5) * per_0_2 / (Scalar(16.0) * omega2_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1) * per_0;
+  gradient[0] = f_0 / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = -per_0_2 / (Scalar(16.0) * omega2_2);  // multiplies b3*p
+  // multiplies p*b5
+  const Scalar c_1 = (Scalar(3.0) * omega1 + Scalar(6.0) * omega2) * per_0_2 / (Scalar(32.0) * omega2_3);
+  gradient[4] = p * c_0;  // by b3
+  gradient[5] = b3 * c_0 + b5 * c_1;  // by p
+  gradient[7] = p * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_x_A_x_A_y_conjA_x_F = (omega1^2*b3*p - 3*omega1*omega2*b1*p + 2*omega1*omega2*b3*p -
+/// omega2^2*b3*q)/(16*omega1*omega2^3*(omega1 + omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 32 operations.
+template <class Scalar>
+Scalar lump_15(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar q = parameters[8];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = omega1 * b3 * p * per_0_2 / (Scalar(16.0) * omega2_3);
+  const Scalar f_1 = (-Scalar(3.0) * b1 * p + Scalar(2.0) * b3 * p) * per_0_2 / (Scalar(16.0) * omega2_2);
+  const Scalar f_2 = -b3 * q * per_0_2 / (Scalar(16.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  gradient[0] = (f_0 - f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - f_2) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = -Scalar(3.0) * per_0_2 / (Scalar(16.0) * omega2_2);  // multiplies b1*p
+  const Scalar c_1 = (omega1 + Scalar(2.0) * omega2) * per_0_2 / (Scalar(16.0) * omega2_3);  // multiplies b3*p
+  const Scalar c_2 = -per_0_2 / (Scalar(16.0) * omega1 * omega2);  // multiplies b3*q
+  gradient[3] = p * c_0;  // by b1
+  gradient[4] = p * c_1 + q * c_2;  // by b3
+  gradient[5] = b1 * c_0 + b3 * c_1;  // by p
+  gradient[8] = b3 * c_2;  // by q
+  return value;
+}
+
+/// harmonic_re_x_A_x_A_y3_conjA_y = (-5*omega1^2*b3*b5 - 11*omega1*omega2*b3*b5 -
+/// 4*omega2^2*b3^2)/(16*omega1*omega2^3*(omega1 + omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 28 operations.
+template <class Scalar>
+Scalar lump_16(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = -Scalar(5.0) * omega1 * b3 * b5 * per_0_2 / (Scalar(16.0) * omega2_3);
+  const Scalar f_1 = -Scalar(11.0) * b3 * b5 * per_0_2 / (Scalar(16.0) * omega2_2);
+  const Scalar f_2 = -b3_2 * per_0_2 / (Scalar(4.0) * omega1 * omega2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  gradient[0] = (f_0 - f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - f_2) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = -per_0_2 / (Scalar(4.0) * omega1 * omega2);  // multiplies b3^2
+  // multiplies b3*b5
+  const Scalar c_1 = (-Scalar(5.0) * omega1 - Scalar(11.0) * omega2) * per_0_2 / (Scalar(16.0) * omega2_3);
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_x_A_x2_A_y2_conjA_x = (-2*omega1^2*b3^2 - 4*omega1*omega2*b3^2 +
+/// omega2^2*b3^2)/(8*omega1*omega2^3*(omega1 + omega2)^2) + (-6*omega1*b1*b3 +
+/// 3*omega2*b1*b3)/(8*omega1*omega2*(omega1 + omega2)^2*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 45 operations.
+template <class Scalar>
+Scalar lump_17(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -omega1 * b3_2 * per_0_2 / (Scalar(4.0) * omega2_3);
+  const Scalar f_1 = -b3_2 * per_0_2 / (Scalar(2.0) * omega2_2);
+  const Scalar f_2 = b3_2 * per_0_2 / (Scalar(8.0) * omega1 * omega2);
+  const Scalar f_3 = -Scalar(3.0) * b1 * b3 * per_0_2 * per_1 / (Scalar(4.0) * omega2);
+  const Scalar f_4 = Scalar(3.0) * b1 * b3 * per_0_2 * per_1 / (Scalar(8.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2 + Scalar(2.0) * f_3
+      + Scalar(2.0) * f_4) * per_0;
+  const Scalar q_1 = (f_3 + f_4) * per_1;
+  gradient[0] = (f_0 - f_2 - f_4) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1 - f_2 - f_3) / omega2 - q_0 + q_1;  // by omega2
+  // multiplies b1*b3
+  const Scalar c_0 = (-Scalar(6.0) * omega1
+      + Scalar(3.0) * omega2) * per_0_2 * per_1 / (Scalar(8.0) * omega1 * omega2);
+  // multiplies b3^2
+  const Scalar c_1 = (-Scalar(2.0) * omega1_2 - Scalar(4.0) * omega1 * omega2
+      + omega2_2) * per_0_2 / (Scalar(8.0) * omega1 * omega2_3);
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_x2_conjA_y_F = -b3*q/(32*omega1^3*(omega1 + omega2)) - b3*p/(64*omega1^3*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 18 operations.
+template <class Scalar>
+Scalar lump_18(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -b3 * q * per_0 / (Scalar(32.0) * omega1_3);
+  const Scalar f_1 = -b3 * p * per_1 / (Scalar(64.0) * omega1_3);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_0 * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-Scalar(3.0) * f_0 - Scalar(3.0) * f_1) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -q_0 + q_1;  // by omega2
+  const Scalar c_0 = -per_1 / (Scalar(64.0) * omega1_3);  // multiplies b3*p
+  const Scalar c_1 = -per_0 / (Scalar(32.0) * omega1_3);  // multiplies b3*q
+  gradient[4] = p * c_0 + q * c_1;  // by b3
+  gradient[5] = b3 * c_0;  // by p
+  gradient[8] = b3 * c_1;  // by q
+  return value;
+}
+
+/// harmonic_re_x_A_x3_A_y_conjA_y = -b1*b3/(4*omega1^4) + b3^2/(8*omega1^2*(omega1 + omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 18 operations.
+template <class Scalar>
+Scalar lump_19(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega1_4 = omega1_3 * omega1;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -b1 * b3 / (Scalar(4.0) * omega1_4);
+  const Scalar f_1 = b3_2 * per_0 * per_1 / (Scalar(8.0) * omega1_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_1 * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-Scalar(4.0) * f_0 - Scalar(2.0) * f_1) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -q_0 + q_1;  // by omega2
+  const Scalar c_0 = -Scalar(1.0) / (Scalar(4.0) * omega1_4);  // multiplies b1*b3
+  const Scalar c_1 = per_0 * per_1 / (Scalar(8.0) * omega1_2);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_y2_conjA_x3 = (-6*omega1^2*b1*b3 + omega1*omega2*b1*b3 + 4*omega1*omega2*b3^2 -
+/// omega2^2*b1*b3)/(32*omega1^2*omega2*(omega1 - omega2)^2*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 38 operations.
+template <class Scalar>
+Scalar lump_20(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar f_0 = -Scalar(3.0) * b1 * b3 * per_0_2 * per_1 / (Scalar(16.0) * omega2);
+  const Scalar f_1 = (b1 * b3 + Scalar(4.0) * b3_2) * per_0_2 * per_1 / (Scalar(32.0) * omega1);
+  const Scalar f_2 = -omega2 * b1 * b3 * per_0_2 * per_1 / (Scalar(32.0) * omega1_2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  gradient[0] = (-f_1 - Scalar(2.0) * f_2) / omega1 - q_0 - Scalar(2.0) * q_1;  // by omega1
+  gradient[1] = (-f_0 + f_2) / omega2 + q_0 + q_1;  // by omega2
+  // multiplies b1*b3
+  const Scalar c_0 = (-Scalar(6.0) * omega1_2 + omega1 * omega2
+      - omega2_2) * per_0_2 * per_1 / (Scalar(32.0) * omega1_2 * omega2);
+  const Scalar c_1 = per_0_2 * per_1 / (Scalar(8.0) * omega1);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_x_A_y4_conjA_x = -b3*b5/(32*omega2^3*(omega1 - 2*omega2)) + b3^2/(32*omega2^2*(omega1 -
+/// omega2)*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 21 operations.
+template <class Scalar>
+Scalar lump_21(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -b3 * b5 * per_0 / (Scalar(32.0) * omega2_3);
+  const Scalar f_1 = b3_2 * per_1 * per_0 / (Scalar(32.0) * omega2_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1) / omega2 + Scalar(2.0) * q_0 + q_1;  // by omega2
+  const Scalar c_0 = per_1 * per_0 / (Scalar(32.0) * omega2_2);  // multiplies b3^2
+  const Scalar c_1 = -per_0 / (Scalar(32.0) * omega2_3);  // multiplies b3*b5
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_x_A_x_A_y4 = b3*b5/(32*omega2^3*(omega1 + 2*omega2)) + b3^2/(32*omega2^2*(omega1 +
+/// omega2)*(omega1 + 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 21 operations.
+template <class Scalar>
+Scalar lump_22(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = b3 * b5 * per_0 / (Scalar(32.0) * omega2_3);
+  const Scalar f_1 = b3_2 * per_1 * per_0 / (Scalar(32.0) * omega2_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1) / omega2 - Scalar(2.0) * q_0 - q_1;  // by omega2
+  const Scalar c_0 = per_1 * per_0 / (Scalar(32.0) * omega2_2);  // multiplies b3^2
+  const Scalar c_1 = per_0 / (Scalar(32.0) * omega2_3);  // multiplies b3*b5
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_x_A_x2_A_y_F = (-3*omega1*b1*p - omega2*b3*p - 2*omega2*b3*q)/(32*omega1*omega2*(omega1 +
+/// omega2)^2*(2*omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 31 operations.
+template <class Scalar>
+Scalar lump_23(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar q = parameters[8];
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar f_0 = -Scalar(3.0) * b1 * p * per_0_2 * per_1 / (Scalar(32.0) * omega2);
+  const Scalar f_1 = (-b3 * p - Scalar(2.0) * b3 * q) * per_0_2 * per_1 / (Scalar(32.0) * omega1);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1) * per_0;
+  const Scalar q_1 = (f_0 + f_1) * per_1;
+  gradient[0] = -f_1 / omega1 - q_0 - Scalar(2.0) * q_1;  // by omega1
+  gradient[1] = -f_0 / omega2 - q_0 - q_1;  // by omega2
+  const Scalar c_0 = -Scalar(3.0) * per_0_2 * per_1 / (Scalar(32.0) * omega2);  // multiplies b1*p
+  const Scalar c_1 = -per_0_2 * per_1 / (Scalar(32.0) * omega1);  // multiplies b3*p
+  const Scalar c_2 = -per_0_2 * per_1 / (Scalar(16.0) * omega1);  // multiplies b3*q
+  gradient[3] = p * c_0;  // by b1
+  gradient[4] = p * c_1 + q * c_2;  // by b3
+  gradient[5] = b1 * c_0 + b3 * c_1;  // by p
+  gradient[8] = b3 * c_2;  // by q
+  return value;
+}
+
+/// harmonic_re_x_A_x3_A_y2 = (6*omega1^2*b1*b3 + omega1*omega2*b1*b3 + 4*omega1*omega2*b3^2 +
+/// omega2^2*b1*b3)/(32*omega1^2*omega2*(omega1 + omega2)^2*(2*omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 38 operations.
+template <class Scalar>
+Scalar lump_24(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar f_0 = Scalar(3.0) * b1 * b3 * per_0_2 * per_1 / (Scalar(16.0) * omega2);
+  const Scalar f_1 = (b1 * b3 + Scalar(4.0) * b3_2) * per_0_2 * per_1 / (Scalar(32.0) * omega1);
+  const Scalar f_2 = omega2 * b1 * b3 * per_0_2 * per_1 / (Scalar(32.0) * omega1_2);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  gradient[0] = (-f_1 - Scalar(2.0) * f_2) / omega1 - q_0 - Scalar(2.0) * q_1;  // by omega1
+  gradient[1] = (-f_0 + f_2) / omega2 - q_0 - q_1;  // by omega2
+  // multiplies b1*b3
+  const Scalar c_0 = (Scalar(6.0) * omega1_2 + omega1 * omega2
+      + omega2_2) * per_0_2 * per_1 / (Scalar(32.0) * omega1_2 * omega2);
+  const Scalar c_1 = per_0_2 * per_1 / (Scalar(8.0) * omega1);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_y_conjA_x3_F = -b1*q/(64*omega1^3*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 9 operations.
+template <class Scalar>
+Scalar lump_25(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -b1 * q * per_0 / (Scalar(64.0) * omega1_3);
+  const Scalar value = f_0;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_0 * per_0;
+  gradient[0] = -Scalar(3.0) * f_0 / omega1 - q_0;  // by omega1
+  gradient[1] = q_0;  // by omega2
+  const Scalar c_0 = -per_0 / (Scalar(64.0) * omega1_3);  // multiplies b1*q
+  gradient[3] = q * c_0;  // by b1
+  gradient[8] = b1 * c_0;  // by q
+  return value;
+}
+
+/// harmonic_re_y_A_y2_conjA_x2_conjA_y = (-omega1^2*b3^2 - 4*omega1*omega2*b3^2 +
+/// 2*omega2^2*b3^2)/(8*omega1^3*omega2*(omega1 - omega2)^2) + (3*omega1*b3*b5 +
+/// 6*omega2*b3*b5)/(8*omega1*omega2*(omega1 + omega2)*(omega1 - omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 45 operations.
+template <class Scalar>
+Scalar lump_26(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = -b3_2 * per_0_2 / (Scalar(8.0) * omega1 * omega2);
+  const Scalar f_1 = -b3_2 * per_0_2 / (Scalar(2.0) * omega1_2);
+  const Scalar f_2 = omega2 * b3_2 * per_0_2 / (Scalar(4.0) * omega1_3);
+  const Scalar f_3 = Scalar(3.0) * b3 * b5 * per_1 * per_0_2 / (Scalar(8.0) * omega2);
+  const Scalar f_4 = Scalar(3.0) * b3 * b5 * per_1 * per_0_2 / (Scalar(4.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2 + Scalar(2.0) * f_3
+      + Scalar(2.0) * f_4) * per_0;
+  const Scalar q_1 = (f_3 + f_4) * per_1;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1 - Scalar(3.0) * f_2 - f_4) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = (-f_0 + f_2 - f_3) / omega2 + q_0 - q_1;  // by omega2
+  // multiplies b3^2
+  const Scalar c_0 = (-omega1_2 - Scalar(4.0) * omega1 * omega2
+      + Scalar(2.0) * omega2_2) * per_0_2 / (Scalar(8.0) * omega1_3 * omega2);
+  // multiplies b3*b5
+  const Scalar c_1 = (Scalar(3.0) * omega1
+      + Scalar(6.0) * omega2) * per_1 * per_0_2 / (Scalar(8.0) * omega1 * omega2);
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_y_A_x_A_y_conjA_x3 = (4*omega1^2*b3^2 - 11*omega1*omega2*b1*b3 +
+/// 5*omega2^2*b1*b3)/(16*omega1^3*omega2*(omega1 - omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 28 operations.
+template <class Scalar>
+Scalar lump_27(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = b3_2 * per_0_2 / (Scalar(4.0) * omega1 * omega2);
+  const Scalar f_1 = -Scalar(11.0) * b1 * b3 * per_0_2 / (Scalar(16.0) * omega1_2);
+  const Scalar f_2 = Scalar(5.0) * omega2 * b1 * b3 * per_0_2 / (Scalar(16.0) * omega1_3);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1 - Scalar(3.0) * f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-f_0 + f_2) / omega2 + q_0;  // by omega2
+  // multiplies b1*b3
+  const Scalar c_0 = (-Scalar(11.0) * omega1 + Scalar(5.0) * omega2) * per_0_2 / (Scalar(16.0) * omega1_3);
+  const Scalar c_1 = per_0_2 / (Scalar(4.0) * omega1 * omega2);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_y_A_y2_conjA_x_F = b3*q/(32*omega1*omega2*(omega1 - omega2)^2) - 3*b5*q/(32*omega1^2*(omega1 +
+/// omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 23 operations.
+template <class Scalar>
+Scalar lump_28(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = b3 * q * per_0_2 / (Scalar(32.0) * omega1 * omega2);
+  const Scalar f_1 = -Scalar(3.0) * b5 * q * per_1 * per_0 / (Scalar(32.0) * omega1_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + f_1) * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -f_0 / omega2 + q_0 - q_1;  // by omega2
+  const Scalar c_0 = per_0_2 / (Scalar(32.0) * omega1 * omega2);  // multiplies b3*q
+  const Scalar c_1 = -Scalar(3.0) * per_1 * per_0 / (Scalar(32.0) * omega1_2);  // multiplies b5*q
+  gradient[4] = q * c_0;  // by b3
+  gradient[7] = q * c_1;  // by b5
+  gradient[8] = b3 * c_0 + b5 * c_1;  // by q
+  return value;
+}
+
+/// harmonic_re_y_A_x_A_y3_conjA_x = -b3*b5/(4*omega2^4) - b3^2/(8*omega2^2*(omega1 + omega2)*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 18 operations.
+template <class Scalar>
+Scalar lump_29(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar omega2_3 = omega2_2 * omega2;
+  const Scalar omega2_4 = omega2_3 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = -b3 * b5 / (Scalar(4.0) * omega2_4);
+  const Scalar f_1 = -b3_2 * per_0 * per_1 / (Scalar(8.0) * omega2_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = f_1 * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = -q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(4.0) * f_0 - Scalar(2.0) * f_1) / omega2 - q_0 + q_1;  // by omega2
+  const Scalar c_0 = -per_0 * per_1 / (Scalar(8.0) * omega2_2);  // multiplies b3^2
+  const Scalar c_1 = -Scalar(1.0) / (Scalar(4.0) * omega2_4);  // multiplies b3*b5
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_y_A_x_A_y_conjA_y_F = (-omega1^2*b3*p + 2*omega1*omega2*b3*q - 3*omega1*omega2*b5*q +
+/// omega2^2*b3*q)/(16*omega1^3*omega2*(omega1 + omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 32 operations.
+template <class Scalar>
+Scalar lump_30(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar b5 = parameters[7];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = -b3 * p * per_0_2 / (Scalar(16.0) * omega1 * omega2);
+  const Scalar f_1 = (Scalar(2.0) * b3 * q - Scalar(3.0) * b5 * q) * per_0_2 / (Scalar(16.0) * omega1_2);
+  const Scalar f_2 = omega2 * b3 * q * per_0_2 / (Scalar(16.0) * omega1_3);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1 - Scalar(3.0) * f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-f_0 + f_2) / omega2 - q_0;  // by omega2
+  const Scalar c_0 = -per_0_2 / (Scalar(16.0) * omega1 * omega2);  // multiplies b3*p
+  const Scalar c_1 = (Scalar(2.0) * omega1 + omega2) * per_0_2 / (Scalar(16.0) * omega1_3);  // multiplies b3*q
+  const Scalar c_2 = -Scalar(3.0) * per_0_2 / (Scalar(16.0) * omega1_2);  // multiplies b5*q
+  gradient[4] = p * c_0 + q * c_1;  // by b3
+  gradient[5] = b3 * c_0;  // by p
+  gradient[7] = q * c_2;  // by b5
+  gradient[8] = b3 * c_1 + b5 * c_2;  // by q
+  return value;
+}
+
+/// harmonic_re_y_A_x2_conjA_x_F = (6*omega1*b1*q - 2*omega1*b3*q + 3*omega2*b1*q)/(32*omega1^3*(omega1 +
+/// omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 24 operations.
+template <class Scalar>
+Scalar lump_31(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = (Scalar(3.0) * b1 * q - b3 * q) * per_0_2 / (Scalar(16.0) * omega1_2);
+  const Scalar f_1 = Scalar(3.0) * omega2 * b1 * q * per_0_2 / (Scalar(32.0) * omega1_3);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1) * per_0;
+  gradient[0] = (-Scalar(2.0) * f_0 - Scalar(3.0) * f_1) / omega1 - q_0;  // by omega1
+  gradient[1] = f_1 / omega2 - q_0;  // by omega2
+  // multiplies b1*q
+  const Scalar c_0 = (Scalar(6.0) * omega1 + Scalar(3.0) * omega2) * per_0_2 / (Scalar(32.0) * omega1_3);
+  const Scalar c_1 = -per_0_2 / (Scalar(16.0) * omega1_2);  // multiplies b3*q
+  gradient[3] = q * c_0;  // by b1
+  gradient[4] = q * c_1;  // by b3
+  gradient[8] = b1 * c_0 + b3 * c_1;  // by q
+  return value;
+}
+
+/// harmonic_re_y_A_x2_A_y2_conjA_y = (omega1^2*b3^2 - 4*omega1*omega2*b3^2 -
+/// 2*omega2^2*b3^2)/(8*omega1^3*omega2*(omega1 + omega2)^2) + (-3*omega1*b3*b5 +
+/// 6*omega2*b3*b5)/(8*omega1*omega2*(omega1 + omega2)^2*(omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 45 operations.
+template <class Scalar>
+Scalar lump_32(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = b3_2 * per_0_2 / (Scalar(8.0) * omega1 * omega2);
+  const Scalar f_1 = -b3_2 * per_0_2 / (Scalar(2.0) * omega1_2);
+  const Scalar f_2 = -omega2 * b3_2 * per_0_2 / (Scalar(4.0) * omega1_3);
+  const Scalar f_3 = -Scalar(3.0) * b3 * b5 * per_0_2 * per_1 / (Scalar(8.0) * omega2);
+  const Scalar f_4 = Scalar(3.0) * b3 * b5 * per_0_2 * per_1 / (Scalar(4.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2 + f_3 + f_4;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2 + Scalar(2.0) * f_3
+      + Scalar(2.0) * f_4) * per_0;
+  const Scalar q_1 = (f_3 + f_4) * per_1;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1 - Scalar(3.0) * f_2 - f_4) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = (-f_0 + f_2 - f_3) / omega2 - q_0 + q_1;  // by omega2
+  // multiplies b3^2
+  const Scalar c_0 = (omega1_2 - Scalar(4.0) * omega1 * omega2
+      - Scalar(2.0) * omega2_2) * per_0_2 / (Scalar(8.0) * omega1_3 * omega2);
+  // multiplies b3*b5
+  const Scalar c_1 = (-Scalar(3.0) * omega1
+      + Scalar(6.0) * omega2) * per_0_2 * per_1 / (Scalar(8.0) * omega1 * omega2);
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_y_A_x3_A_y_conjA_x = (-4*omega1^2*b3^2 - 11*omega1*omega2*b1*b3 -
+/// 5*omega2^2*b1*b3)/(16*omega1^3*omega2*(omega1 + omega2)^2)
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 28 operations.
+template <class Scalar>
+Scalar lump_33(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar f_0 = -b3_2 * per_0_2 / (Scalar(4.0) * omega1 * omega2);
+  const Scalar f_1 = -Scalar(11.0) * b1 * b3 * per_0_2 / (Scalar(16.0) * omega1_2);
+  const Scalar f_2 = -Scalar(5.0) * omega2 * b1 * b3 * per_0_2 / (Scalar(16.0) * omega1_3);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  gradient[0] = (-f_0 - Scalar(2.0) * f_1 - Scalar(3.0) * f_2) / omega1 - q_0;  // by omega1
+  gradient[1] = (-f_0 + f_2) / omega2 - q_0;  // by omega2
+  // multiplies b1*b3
+  const Scalar c_0 = (-Scalar(11.0) * omega1 - Scalar(5.0) * omega2) * per_0_2 / (Scalar(16.0) * omega1_3);
+  const Scalar c_1 = -per_0_2 / (Scalar(4.0) * omega1 * omega2);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_y_A_y3_conjA_x2 = (omega1^2*b3*b5 - 4*omega1*omega2*b3^2 - omega1*omega2*b3*b5 +
+/// 6*omega2^2*b3*b5)/(32*omega1*omega2^2*(omega1 - omega2)^2*(omega1 - 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 38 operations.
+template <class Scalar>
+Scalar lump_34(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  const Scalar f_0 = omega1 * b3 * b5 * per_0_2 * per_1 / (Scalar(32.0) * omega2_2);
+  const Scalar f_1 = (-Scalar(4.0) * b3_2 - b3 * b5) * per_0_2 * per_1 / (Scalar(32.0) * omega2);
+  const Scalar f_2 = Scalar(3.0) * b3 * b5 * per_0_2 * per_1 / (Scalar(16.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  gradient[0] = (f_0 - f_2) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(2.0) * f_0 - f_1) / omega2 + q_0 + Scalar(2.0) * q_1;  // by omega2
+  const Scalar c_0 = -per_0_2 * per_1 / (Scalar(8.0) * omega2);  // multiplies b3^2
+  // multiplies b3*b5
+  const Scalar c_1 = (omega1_2 - omega1 * omega2
+      + Scalar(6.0) * omega2_2) * per_0_2 * per_1 / (Scalar(32.0) * omega1 * omega2_2);
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_y_A_x_A_y2_F = (-2*omega1*b3*p - omega1*b3*q - 3*omega2*b5*q)/(32*omega1*omega2*(omega1 +
+/// omega2)^2*(omega1 + 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 31 operations.
+template <class Scalar>
+Scalar lump_35(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar p = parameters[5];
+  const Scalar b5 = parameters[7];
+  const Scalar q = parameters[8];
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar f_0 = (-Scalar(2.0) * b3 * p - b3 * q) * per_0_2 * per_1 / (Scalar(32.0) * omega2);
+  const Scalar f_1 = -Scalar(3.0) * b5 * q * per_0_2 * per_1 / (Scalar(32.0) * omega1);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1) * per_0;
+  const Scalar q_1 = (f_0 + f_1) * per_1;
+  gradient[0] = -f_1 / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = -f_0 / omega2 - q_0 - Scalar(2.0) * q_1;  // by omega2
+  const Scalar c_0 = -per_0_2 * per_1 / (Scalar(16.0) * omega2);  // multiplies b3*p
+  const Scalar c_1 = -per_0_2 * per_1 / (Scalar(32.0) * omega2);  // multiplies b3*q
+  const Scalar c_2 = -Scalar(3.0) * per_0_2 * per_1 / (Scalar(32.0) * omega1);  // multiplies b5*q
+  gradient[4] = p * c_0 + q * c_1;  // by b3
+  gradient[5] = b3 * c_0;  // by p
+  gradient[7] = q * c_2;  // by b5
+  gradient[8] = b3 * c_1 + b5 * c_2;  // by q
+  return value;
+}
+
+/// harmonic_re_y_A_x2_A_y3 = (omega1^2*b3*b5 + 4*omega1*omega2*b3^2 + omega1*omega2*b3*b5 +
+/// 6*omega2^2*b3*b5)/(32*omega1*omega2^2*(omega1 + omega2)^2*(omega1 + 2*omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 38 operations.
+template <class Scalar>
+Scalar lump_36(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b3 = parameters[4];
+  const Scalar b5 = parameters[7];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega2_2 = omega2 * omega2;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar f_0 = omega1 * b3 * b5 * per_0_2 * per_1 / (Scalar(32.0) * omega2_2);
+  const Scalar f_1 = (Scalar(4.0) * b3_2 + b3 * b5) * per_0_2 * per_1 / (Scalar(32.0) * omega2);
+  const Scalar f_2 = Scalar(3.0) * b3 * b5 * per_0_2 * per_1 / (Scalar(16.0) * omega1);
+  const Scalar value = f_0 + f_1 + f_2;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (Scalar(2.0) * f_0 + Scalar(2.0) * f_1 + Scalar(2.0) * f_2) * per_0;
+  const Scalar q_1 = (f_0 + f_1 + f_2) * per_1;
+  gradient[0] = (f_0 - f_2) / omega1 - q_0 - q_1;  // by omega1
+  gradient[1] = (-Scalar(2.0) * f_0 - f_1) / omega2 - q_0 - Scalar(2.0) * q_1;  // by omega2
+  const Scalar c_0 = per_0_2 * per_1 / (Scalar(8.0) * omega2);  // multiplies b3^2
+  // multiplies b3*b5
+  const Scalar c_1 = (omega1_2 + omega1 * omega2
+      + Scalar(6.0) * omega2_2) * per_0_2 * per_1 / (Scalar(32.0) * omega1 * omega2_2);
+  gradient[4] = Scalar(2.0) * b3 * c_0 + b5 * c_1;  // by b3
+  gradient[7] = b3 * c_1;  // by b5
+  return value;
+}
+
+/// harmonic_re_y_A_x3_F = -b1*q/(128*omega1^3*(2*omega1 + omega2)) - b3*q/(64*omega1^2*(omega1 +
+/// omega2)*(2*omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 21 operations.
+template <class Scalar>
+Scalar lump_37(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar q = parameters[8];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = -b1 * q * per_0 / (Scalar(128.0) * omega1_3);
+  const Scalar f_1 = -b3 * q * per_1 * per_0 / (Scalar(64.0) * omega1_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1) / omega1 - Scalar(2.0) * q_0 - q_1;  // by omega1
+  gradient[1] = -q_0 - q_1;  // by omega2
+  const Scalar c_0 = -per_0 / (Scalar(128.0) * omega1_3);  // multiplies b1*q
+  const Scalar c_1 = -per_1 * per_0 / (Scalar(64.0) * omega1_2);  // multiplies b3*q
+  gradient[3] = q * c_0;  // by b1
+  gradient[4] = q * c_1;  // by b3
+  gradient[8] = b1 * c_0 + b3 * c_1;  // by q
+  return value;
+}
+
+/// harmonic_re_y_A_x4_A_y = b1*b3/(32*omega1^3*(2*omega1 + omega2)) + b3^2/(32*omega1^2*(omega1 +
+/// omega2)*(2*omega1 + omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 21 operations.
+template <class Scalar>
+Scalar lump_38(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar f_0 = b1 * b3 * per_0 / (Scalar(32.0) * omega1_3);
+  const Scalar f_1 = b3_2 * per_1 * per_0 / (Scalar(32.0) * omega1_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1) / omega1 - Scalar(2.0) * q_0 - q_1;  // by omega1
+  gradient[1] = -q_0 - q_1;  // by omega2
+  const Scalar c_0 = per_0 / (Scalar(32.0) * omega1_3);  // multiplies b1*b3
+  const Scalar c_1 = per_1 * per_0 / (Scalar(32.0) * omega1_2);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
+/// harmonic_re_y_A_x4_conjA_y = b1*b3/(32*omega1^3*(2*omega1 - omega2)) + b3^2/(32*omega1^2*(omega1 -
+/// omega2)*(2*omega1 - omega2))
+/// It is returned; gradient[p] = d/d parameters[p] where that is asked for. 21 operations.
+template <class Scalar>
+Scalar lump_39(const Scalar* parameters, Scalar* gradient) {
+  const Scalar omega1 = parameters[0];
+  const Scalar omega2 = parameters[1];
+  const Scalar b1 = parameters[3];
+  const Scalar b3 = parameters[4];
+  const Scalar omega1_2 = omega1 * omega1;
+  const Scalar omega1_3 = omega1_2 * omega1;
+  const Scalar b3_2 = b3 * b3;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar f_0 = b1 * b3 * per_0 / (Scalar(32.0) * omega1_3);
+  const Scalar f_1 = b3_2 * per_1 * per_0 / (Scalar(32.0) * omega1_2);
+  const Scalar value = f_0 + f_1;
+  if (gradient == nullptr) return value;
+  const Scalar q_0 = (f_0 + f_1) * per_0;
+  const Scalar q_1 = f_1 * per_1;
+  gradient[0] = (-Scalar(3.0) * f_0 - Scalar(2.0) * f_1) / omega1 - Scalar(2.0) * q_0 - q_1;  // by omega1
+  gradient[1] = q_0 + q_1;  // by omega2
+  const Scalar c_0 = per_0 / (Scalar(32.0) * omega1_3);  // multiplies b1*b3
+  const Scalar c_1 = per_1 * per_0 / (Scalar(32.0) * omega1_2);  // multiplies b3^2
+  gradient[3] = b3 * c_0;  // by b1
+  gradient[4] = b1 * c_0 + Scalar(2.0) * b3 * c_1;  // by b3
+  return value;
+}
+
 namespace additive {
 
 /// Lumps: the parameter combinations that multiply data.
@@ -275,19 +1516,19 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic -omega1+2*omega2 of x: functions of the frequencies alone. 6
+/// What multiplies the 1 terms of the harmonic -omega1+2*omega2 of x: functions of the frequencies alone. 4
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = -Scalar(1.0) / (Scalar(4.0) * omega1 * omega2 - Scalar(4.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  factor[0] = -per_0 / (Scalar(4.0) * omega2);
 }
 
 /// Rows of the harmonic -omega1+2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in x = -1/(4*omega1*omega2 - 4*omega2^2)*b3*conj(A_x)*A_y^2
+/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in x = -1/(4*omega2*(omega1 - omega2))*b3*conj(A_x)*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -318,7 +1559,7 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 17
+/// What multiplies the 2 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 12
 /// operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
@@ -326,17 +1567,16 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1 * omega2 + Scalar(4.0) * omega2_2);
-  factor[1] = Scalar(1.0) / (Scalar(2.0) * omega1_2 - Scalar(2.0) * omega2_2 - Scalar(4.0) * omega2 * Omega
-      - Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2 + Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - omega2 - Omega);
+  factor[0] = per_0 / (Scalar(4.0) * omega2);
+  factor[1] = per_1 * per_2 / Scalar(2.0);
 }
 
 /// Rows of the harmonic omega2+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega2 + Omega)*t) in x = 1/(4*omega1*omega2 + 4*omega2^2)*b3*A_x*A_y^2 + 1/(2*omega1^2 -
-/// 2*omega2^2 - 4*omega2*Omega - 2*Omega^2)*p*A_y*F
+/// amplitude of exp(i*(omega2 + Omega)*t) in x = 1/(4*omega2*(omega1 + omega2))*b3*A_x*A_y^2 + 1/(2*(omega1 +
+/// omega2 + Omega)*(omega1 - omega2 - Omega))*p*A_y*F
 /// 2 columns; per observation at most 8 products and sums of complex numbers.
 template <class Factors>
 void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -410,19 +1650,19 @@ inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic -2*omega1+omega2 of y: functions of the frequencies alone. 6
+/// What multiplies the 1 terms of the harmonic -2*omega1+omega2 of y: functions of the frequencies alone. 4
 /// operations.
 template <class Scalar>
 void factors_5([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 - Scalar(4.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  factor[0] = per_0 / (Scalar(4.0) * omega1);
 }
 
 /// Rows of the harmonic -2*omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-2*omega1 + omega2)*t) in y = 1/(4*omega1^2 - 4*omega1*omega2)*b3*conj(A_x)^2*A_y
+/// amplitude of exp(i*(-2*omega1 + omega2)*t) in y = 1/(4*omega1*(omega1 - omega2))*b3*conj(A_x)^2*A_y
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -491,7 +1731,7 @@ inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_6(data, FactorSlopes<factors_6<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 17
+/// What multiplies the 2 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 12
 /// operations.
 template <class Scalar>
 void factors_7([[maybe_unused]] const Scalar* natural_frequency,
@@ -499,17 +1739,16 @@ void factors_7([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 + Scalar(4.0) * omega1 * omega2);
-  factor[1] = -Scalar(1.0) / (Scalar(2.0) * omega1_2 + Scalar(4.0) * omega1 * Omega - Scalar(2.0) * omega2_2
-      + Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2 + Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - omega2 + Omega);
+  factor[0] = per_0 / (Scalar(4.0) * omega1);
+  factor[1] = -per_1 * per_2 / Scalar(2.0);
 }
 
 /// Rows of the harmonic omega1+Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + Omega)*t) in y = 1/(4*omega1^2 + 4*omega1*omega2)*b3*A_x^2*A_y - 1/(2*omega1^2 +
-/// 4*omega1*Omega - 2*omega2^2 + 2*Omega^2)*q*A_x*F
+/// amplitude of exp(i*(omega1 + Omega)*t) in y = 1/(4*omega1*(omega1 + omega2))*b3*A_x^2*A_y - 1/(2*(omega1 +
+/// omega2 + Omega)*(omega1 - omega2 + Omega))*q*A_x*F
 /// 2 columns; per observation at most 8 products and sums of complex numbers.
 template <class Factors>
 void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -638,106 +1877,24 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
 namespace additive_second_order {
 
 /// Lumps: the parameter combinations that multiply data.
-/// lumps[0]: conservative_x_A_x2_A_y_F = (-2*omega1^2*b3*q - 3*omega1*omega2*b1*p - omega1*omega2*b3*p -
-/// 2*omega1*omega2*b3*q - 3*omega2^2*b1*p)/(16*omega1^4*omega2 + 16*omega1^3*omega2^2)
 /// lumps[1]: mu1 = mu1
 /// lumps[2]: conservative_x_A_x = -mu1^2/(2*omega1)
-/// lumps[3]: conservative_x_A_x_F2 = (omega1*p*q + 2*omega2*p*q)/(32*omega1^3*omega2 + 32*omega1^2*omega2^2)
 /// lumps[4]: dissipative_x_A_x_A_y_conjA_y = b3*mu2/omega1^2
 /// lumps[5]: b3 = b3
-/// lumps[6]: conservative_x_A_x_A_y2_conjA_y2 = (-3*omega1^2*b3^2 + 2*omega2^2*b3^2)/(4*omega1^5 -
-/// 4*omega1^3*omega2^2)
 /// lumps[7]: dissipative_x_A_x2_conjA_x = 3*mu1*b1/(2*omega1^2)
 /// lumps[8]: b1 = b1
-/// lumps[9]: conservative_x_A_x2_A_y_conjA_x_conjA_y = (-3*omega1^2*b1*b3 + omega1^2*b3^2 +
-/// 3*omega2^2*b1*b3)/(2*omega1^5 - 2*omega1^3*omega2^2)
 /// lumps[10]: conservative_x_A_x3_conjA_x2 = -15*b1^2/(16*omega1^3)
 /// lumps[11]: dissipative_x_conjA_y_F = (mu1*p - p*mu2)/(8*omega1^2)
 /// lumps[12]: p = p
-/// lumps[13]: conservative_x_A_y_conjA_y2_F = (-omega1^2*b3*p - 3*omega1^2*p*b5 + 2*omega1*omega2*b3*p -
-/// 3*omega1*omega2*p*b5 + 2*omega2^2*b3*p)/(16*omega1^4*omega2 + 16*omega1^3*omega2^2)
-/// lumps[14]: conservative_x_A_x_conjA_x_conjA_y_F = (-omega1^2*b3*p + omega1^2*b3*q + 3*omega1*omega2*b1*p -
-/// omega1*omega2*b3*p + 3*omega2^2*b1*p)/(8*omega1^4*omega2 + 8*omega1^3*omega2^2)
-/// lumps[15]: conservative_y_A_x_A_y2_F = (-3*omega1^2*b5*q - 2*omega1*omega2*b3*p - omega1*omega2*b3*q -
-/// 3*omega1*omega2*b5*q - 2*omega2^2*b3*p)/(16*omega1^2*omega2^3 + 16*omega1*omega2^4)
 /// lumps[16]: mu2 = mu2
 /// lumps[17]: conservative_y_A_y = -mu2^2/(2*omega2)
 /// lumps[18]: dissipative_y_A_y2_conjA_y = 3*mu2*b5/(2*omega2^2)
 /// lumps[19]: b5 = b5
 /// lumps[20]: conservative_y_A_y3_conjA_y2 = -15*b5^2/(16*omega2^3)
 /// lumps[21]: dissipative_y_A_x_A_y_conjA_x = mu1*b3/omega2^2
-/// lumps[22]: conservative_y_A_x_A_y2_conjA_x_conjA_y = (-3*omega1^2*b3*b5 - omega2^2*b3^2 +
-/// 3*omega2^2*b3*b5)/(2*omega1^2*omega2^3 - 2*omega2^5)
 /// lumps[23]: dissipative_y_conjA_x_F = (-mu1*q + mu2*q)/(8*omega2^2)
 /// lumps[24]: q = q
-/// lumps[25]: conservative_y_A_y_conjA_x_conjA_y_F = (3*omega1^2*b5*q - omega1*omega2*b3*q +
-/// 3*omega1*omega2*b5*q + omega2^2*b3*p - omega2^2*b3*q)/(8*omega1^2*omega2^3 + 8*omega1*omega2^4)
-/// lumps[26]: conservative_y_A_x_conjA_x2_F = (2*omega1^2*b3*q - 3*omega1*omega2*b1*q + 2*omega1*omega2*b3*q -
-/// 3*omega2^2*b1*q - omega2^2*b3*q)/(16*omega1^2*omega2^3 + 16*omega1*omega2^4)
-/// lumps[27]: harmonic_re_x_A_y_conjA_x2_F = (3*omega1^2*b1*p - 3*omega1*omega2*b1*p + omega1*omega2*b3*p +
-/// omega2^2*b3*p)/(32*omega1^4*omega2^2 - 32*omega1^3*omega2^3 - 32*omega1^2*omega2^4 + 32*omega1*omega2^5)
-/// lumps[28]: harmonic_re_x_A_y3_F = (omega1*b3*p - 2*omega2*b3*p)/(32*omega1^3*omega2^2 - 64*omega1^2*omega2^3
-/// + 32*omega1*omega2^4)
-/// lumps[29]: harmonic_re_x_A_y3_conjA_x_conjA_y = (5*omega1^2*b3*b5 - 11*omega1*omega2*b3*b5 +
-/// 4*omega2^2*b3^2)/(16*omega1^3*omega2^3 - 32*omega1^2*omega2^4 + 16*omega1*omega2^5)
-/// lumps[30]: harmonic_re_x_A_x_A_y2_conjA_x2 = (2*omega1^3*b3^2 - 2*omega1^2*omega2*b3^2 +
-/// 6*omega1*omega2^2*b1*b3 - 5*omega1*omega2^2*b3^2 + 3*omega2^3*b1*b3 - omega2^3*b3^2)/(8*omega1^4*omega2^3 -
-/// 8*omega1^3*omega2^4 - 8*omega1^2*omega2^5 + 8*omega1*omega2^6)
-/// lumps[31]: harmonic_re_x_A_y2_conjA_y_F = (3*omega1*p*b5 - 2*omega2*b3*p +
-/// 6*omega2*p*b5)/(32*omega1^2*omega2^3 + 64*omega1*omega2^4 + 32*omega2^5)
-/// lumps[32]: harmonic_re_x_A_x_A_y_conjA_x_F = (omega1^2*b3*p - 3*omega1*omega2*b1*p + 2*omega1*omega2*b3*p -
-/// omega2^2*b3*q)/(16*omega1^3*omega2^3 + 32*omega1^2*omega2^4 + 16*omega1*omega2^5)
-/// lumps[33]: harmonic_re_x_A_x_A_y3_conjA_y = (-5*omega1^2*b3*b5 - 11*omega1*omega2*b3*b5 -
-/// 4*omega2^2*b3^2)/(16*omega1^3*omega2^3 + 32*omega1^2*omega2^4 + 16*omega1*omega2^5)
-/// lumps[34]: harmonic_re_x_A_x2_A_y2_conjA_x = (-2*omega1^3*b3^2 - 2*omega1^2*omega2*b3^2 -
-/// 6*omega1*omega2^2*b1*b3 + 5*omega1*omega2^2*b3^2 + 3*omega2^3*b1*b3 - omega2^3*b3^2)/(8*omega1^4*omega2^3 +
-/// 8*omega1^3*omega2^4 - 8*omega1^2*omega2^5 - 8*omega1*omega2^6)
-/// lumps[35]: harmonic_re_x_A_x2_conjA_y_F = (-omega1*b3*p - 2*omega1*b3*q - omega2*b3*p +
-/// 2*omega2*b3*q)/(64*omega1^5 - 64*omega1^3*omega2^2)
-/// lumps[36]: harmonic_re_x_A_x3_A_y_conjA_y = (-2*omega1^2*b1*b3 + omega1^2*b3^2 +
-/// 2*omega2^2*b1*b3)/(8*omega1^6 - 8*omega1^4*omega2^2)
-/// lumps[37]: harmonic_re_x_A_y2_conjA_x3 = (-6*omega1^2*b1*b3 + omega1*omega2*b1*b3 + 4*omega1*omega2*b3^2 -
-/// omega2^2*b1*b3)/(64*omega1^5*omega2 - 160*omega1^4*omega2^2 + 128*omega1^3*omega2^3 - 32*omega1^2*omega2^4)
-/// lumps[38]: harmonic_re_x_A_y4_conjA_x = (-omega1*b3*b5 + omega2*b3^2 + omega2*b3*b5)/(32*omega1^2*omega2^3 -
-/// 96*omega1*omega2^4 + 64*omega2^5)
-/// lumps[39]: harmonic_re_x_A_x_A_y4 = (omega1*b3*b5 + omega2*b3^2 + omega2*b3*b5)/(32*omega1^2*omega2^3 +
-/// 96*omega1*omega2^4 + 64*omega2^5)
-/// lumps[40]: harmonic_re_x_A_x2_A_y_F = (-3*omega1*b1*p - omega2*b3*p - 2*omega2*b3*q)/(64*omega1^4*omega2 +
-/// 160*omega1^3*omega2^2 + 128*omega1^2*omega2^3 + 32*omega1*omega2^4)
-/// lumps[41]: harmonic_re_x_A_x3_A_y2 = (6*omega1^2*b1*b3 + omega1*omega2*b1*b3 + 4*omega1*omega2*b3^2 +
-/// omega2^2*b1*b3)/(64*omega1^5*omega2 + 160*omega1^4*omega2^2 + 128*omega1^3*omega2^3 + 32*omega1^2*omega2^4)
-/// lumps[42]: harmonic_re_y_conjA_x3_F = -b1*q/(64*omega1^4 - 64*omega1^3*omega2)
-/// lumps[43]: harmonic_re_y_A_y2_conjA_x2_conjA_y = (-omega1^3*b3^2 + 3*omega1^3*b3*b5 - 5*omega1^2*omega2*b3^2
-/// + 6*omega1^2*omega2*b3*b5 - 2*omega1*omega2^2*b3^2 + 2*omega2^3*b3^2)/(8*omega1^6*omega2 -
-/// 8*omega1^5*omega2^2 - 8*omega1^4*omega2^3 + 8*omega1^3*omega2^4)
-/// lumps[44]: harmonic_re_y_A_x_A_y_conjA_x3 = (4*omega1^2*b3^2 - 11*omega1*omega2*b1*b3 +
-/// 5*omega2^2*b1*b3)/(16*omega1^5*omega2 - 32*omega1^4*omega2^2 + 16*omega1^3*omega2^3)
-/// lumps[45]: harmonic_re_y_A_y2_conjA_x_F = (omega1^2*b3*q + omega1*omega2*b3*q - 3*omega1*omega2*b5*q +
-/// 3*omega2^2*b5*q)/(32*omega1^5*omega2 - 32*omega1^4*omega2^2 - 32*omega1^3*omega2^3 + 32*omega1^2*omega2^4)
-/// lumps[46]: harmonic_re_y_A_x_A_y3_conjA_x = (-2*omega1^2*b3*b5 - omega2^2*b3^2 +
-/// 2*omega2^2*b3*b5)/(8*omega1^2*omega2^4 - 8*omega2^6)
-/// lumps[47]: harmonic_re_y_A_x_A_y_conjA_y_F = (-omega1^2*b3*p + 2*omega1*omega2*b3*q - 3*omega1*omega2*b5*q +
-/// omega2^2*b3*q)/(16*omega1^5*omega2 + 32*omega1^4*omega2^2 + 16*omega1^3*omega2^3)
-/// lumps[48]: harmonic_re_y_A_x2_conjA_x_F = (6*omega1*b1*q - 2*omega1*b3*q + 3*omega2*b1*q)/(32*omega1^5 +
-/// 64*omega1^4*omega2 + 32*omega1^3*omega2^2)
-/// lumps[49]: harmonic_re_y_A_x2_A_y2_conjA_y = (omega1^3*b3^2 - 3*omega1^3*b3*b5 - 5*omega1^2*omega2*b3^2 +
-/// 6*omega1^2*omega2*b3*b5 + 2*omega1*omega2^2*b3^2 + 2*omega2^3*b3^2)/(8*omega1^6*omega2 + 8*omega1^5*omega2^2
-/// - 8*omega1^4*omega2^3 - 8*omega1^3*omega2^4)
-/// lumps[50]: harmonic_re_y_A_x3_A_y_conjA_x = (-4*omega1^2*b3^2 - 11*omega1*omega2*b1*b3 -
-/// 5*omega2^2*b1*b3)/(16*omega1^5*omega2 + 32*omega1^4*omega2^2 + 16*omega1^3*omega2^3)
-/// lumps[51]: harmonic_re_y_A_y3_conjA_x2 = (omega1^2*b3*b5 - 4*omega1*omega2*b3^2 - omega1*omega2*b3*b5 +
-/// 6*omega2^2*b3*b5)/(32*omega1^4*omega2^2 - 128*omega1^3*omega2^3 + 160*omega1^2*omega2^4 - 64*omega1*omega2^5)
-/// lumps[52]: harmonic_re_y_A_x_A_y2_F = (-2*omega1*b3*p - omega1*b3*q - 3*omega2*b5*q)/(32*omega1^4*omega2 +
-/// 128*omega1^3*omega2^2 + 160*omega1^2*omega2^3 + 64*omega1*omega2^4)
-/// lumps[53]: harmonic_re_y_A_x2_A_y3 = (omega1^2*b3*b5 + 4*omega1*omega2*b3^2 + omega1*omega2*b3*b5 +
-/// 6*omega2^2*b3*b5)/(32*omega1^4*omega2^2 + 128*omega1^3*omega2^3 + 160*omega1^2*omega2^4 + 64*omega1*omega2^5)
-/// lumps[54]: harmonic_re_y_A_x3_F = (-omega1*b1*q - 2*omega1*b3*q - omega2*b1*q)/(256*omega1^5 +
-/// 384*omega1^4*omega2 + 128*omega1^3*omega2^2)
-/// lumps[55]: harmonic_re_y_A_x4_A_y = (omega1*b1*b3 + omega1*b3^2 + omega2*b1*b3)/(64*omega1^5 +
-/// 96*omega1^4*omega2 + 32*omega1^3*omega2^2)
-/// lumps[56]: harmonic_re_y_A_x4_conjA_y = (omega1*b1*b3 + omega1*b3^2 - omega2*b1*b3)/(64*omega1^5 -
-/// 96*omega1^4*omega2 + 32*omega1^3*omega2^2)
-/// 880 operations.
+/// 32 operations.
 template <class Scalar>
 void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] Scalar* lumps) {
   const Scalar omega1 = parameters[0];
@@ -751,1377 +1908,69 @@ void evaluate_lumps([[maybe_unused]] const Scalar* parameters, [[maybe_unused]] 
   const Scalar q = parameters[8];
   const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
   const Scalar mu1_2 = mu1 * mu1;
   const Scalar b1_2 = b1 * b1;
-  const Scalar b3_2 = b3 * b3;
   const Scalar mu2_2 = mu2 * mu2;
   const Scalar b5_2 = b5 * b5;
-  // conservative_x_A_x2_A_y_F
-  lumps[0] = (-Scalar(2.0) * omega1_2 * b3 * q - Scalar(3.0) * omega1 * omega2 * b1 * p - omega1 * omega2 * b3 * p
-      - Scalar(2.0) * omega1 * omega2 * b3 * q
-      - Scalar(3.0) * omega2_2 * b1 * p) / (Scalar(16.0) * omega1_4 * omega2
-      + Scalar(16.0) * omega1_3 * omega2_2);
+  lumps[0] = lump_0(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x2_A_y_F
   lumps[1] = mu1;  // mu1
   lumps[2] = -mu1_2 / (Scalar(2.0) * omega1);  // conservative_x_A_x
-  // conservative_x_A_x_F2
-  lumps[3] = (omega1 * p * q + Scalar(2.0) * omega2 * p * q) / (Scalar(32.0) * omega1_3 * omega2
-      + Scalar(32.0) * omega1_2 * omega2_2);
+  lumps[3] = lump_1(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_F2
   lumps[4] = b3 * mu2 / omega1_2;  // dissipative_x_A_x_A_y_conjA_y
   lumps[5] = b3;  // b3
-  // conservative_x_A_x_A_y2_conjA_y2
-  lumps[6] = (-Scalar(3.0) * omega1_2 * b3_2 + Scalar(2.0) * omega2_2 * b3_2) / (Scalar(4.0) * omega1_5
-      - Scalar(4.0) * omega1_3 * omega2_2);
+  lumps[6] = lump_2(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_A_y2_conjA_y2
   lumps[7] = Scalar(3.0) * mu1 * b1 / (Scalar(2.0) * omega1_2);  // dissipative_x_A_x2_conjA_x
   lumps[8] = b1;  // b1
-  // conservative_x_A_x2_A_y_conjA_x_conjA_y
-  lumps[9] = (-Scalar(3.0) * omega1_2 * b1 * b3 + omega1_2 * b3_2
-      + Scalar(3.0) * omega2_2 * b1 * b3) / (Scalar(2.0) * omega1_5 - Scalar(2.0) * omega1_3 * omega2_2);
+  lumps[9] = lump_3(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x2_A_y_conjA_x_conjA_y
   lumps[10] = -Scalar(15.0) * b1_2 / (Scalar(16.0) * omega1_3);  // conservative_x_A_x3_conjA_x2
   lumps[11] = (mu1 * p - p * mu2) / (Scalar(8.0) * omega1_2);  // dissipative_x_conjA_y_F
   lumps[12] = p;  // p
-  // conservative_x_A_y_conjA_y2_F
-  lumps[13] = (-omega1_2 * b3 * p - Scalar(3.0) * omega1_2 * p * b5 + Scalar(2.0) * omega1 * omega2 * b3 * p
-      - Scalar(3.0) * omega1 * omega2 * p * b5
-      + Scalar(2.0) * omega2_2 * b3 * p) / (Scalar(16.0) * omega1_4 * omega2
-      + Scalar(16.0) * omega1_3 * omega2_2);
-  // conservative_x_A_x_conjA_x_conjA_y_F
-  lumps[14] = (-omega1_2 * b3 * p + omega1_2 * b3 * q + Scalar(3.0) * omega1 * omega2 * b1 * p
-      - omega1 * omega2 * b3 * p + Scalar(3.0) * omega2_2 * b1 * p) / (Scalar(8.0) * omega1_4 * omega2
-      + Scalar(8.0) * omega1_3 * omega2_2);
-  // conservative_y_A_x_A_y2_F
-  lumps[15] = (-Scalar(3.0) * omega1_2 * b5 * q - Scalar(2.0) * omega1 * omega2 * b3 * p
-      - omega1 * omega2 * b3 * q - Scalar(3.0) * omega1 * omega2 * b5 * q
-      - Scalar(2.0) * omega2_2 * b3 * p) / (Scalar(16.0) * omega1_2 * omega2_3
-      + Scalar(16.0) * omega1 * omega2_4);
+  lumps[13] = lump_4(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_y_conjA_y2_F
+  lumps[14] = lump_5(parameters, static_cast<Scalar*>(nullptr));  // conservative_x_A_x_conjA_x_conjA_y_F
+  lumps[15] = lump_6(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x_A_y2_F
   lumps[16] = mu2;  // mu2
   lumps[17] = -mu2_2 / (Scalar(2.0) * omega2);  // conservative_y_A_y
   lumps[18] = Scalar(3.0) * mu2 * b5 / (Scalar(2.0) * omega2_2);  // dissipative_y_A_y2_conjA_y
   lumps[19] = b5;  // b5
   lumps[20] = -Scalar(15.0) * b5_2 / (Scalar(16.0) * omega2_3);  // conservative_y_A_y3_conjA_y2
   lumps[21] = mu1 * b3 / omega2_2;  // dissipative_y_A_x_A_y_conjA_x
-  // conservative_y_A_x_A_y2_conjA_x_conjA_y
-  lumps[22] = (-Scalar(3.0) * omega1_2 * b3 * b5 - omega2_2 * b3_2
-      + Scalar(3.0) * omega2_2 * b3 * b5) / (Scalar(2.0) * omega1_2 * omega2_3 - Scalar(2.0) * omega2_5);
+  lumps[22] = lump_7(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x_A_y2_conjA_x_conjA_y
   lumps[23] = (-mu1 * q + mu2 * q) / (Scalar(8.0) * omega2_2);  // dissipative_y_conjA_x_F
   lumps[24] = q;  // q
-  // conservative_y_A_y_conjA_x_conjA_y_F
-  lumps[25] = (Scalar(3.0) * omega1_2 * b5 * q - omega1 * omega2 * b3 * q + Scalar(3.0) * omega1 * omega2 * b5 * q
-      + omega2_2 * b3 * p - omega2_2 * b3 * q) / (Scalar(8.0) * omega1_2 * omega2_3
-      + Scalar(8.0) * omega1 * omega2_4);
-  // conservative_y_A_x_conjA_x2_F
-  lumps[26] = (Scalar(2.0) * omega1_2 * b3 * q - Scalar(3.0) * omega1 * omega2 * b1 * q
-      + Scalar(2.0) * omega1 * omega2 * b3 * q - Scalar(3.0) * omega2_2 * b1 * q
-      - omega2_2 * b3 * q) / (Scalar(16.0) * omega1_2 * omega2_3 + Scalar(16.0) * omega1 * omega2_4);
-  // harmonic_re_x_A_y_conjA_x2_F
-  lumps[27] = (Scalar(3.0) * omega1_2 * b1 * p - Scalar(3.0) * omega1 * omega2 * b1 * p + omega1 * omega2 * b3 * p
-      + omega2_2 * b3 * p) / (Scalar(32.0) * omega1_4 * omega2_2 - Scalar(32.0) * omega1_3 * omega2_3
-      - Scalar(32.0) * omega1_2 * omega2_4 + Scalar(32.0) * omega1 * omega2_5);
-  // harmonic_re_x_A_y3_F
-  lumps[28] = (omega1 * b3 * p - Scalar(2.0) * omega2 * b3 * p) / (Scalar(32.0) * omega1_3 * omega2_2
-      - Scalar(64.0) * omega1_2 * omega2_3 + Scalar(32.0) * omega1 * omega2_4);
-  // harmonic_re_x_A_y3_conjA_x_conjA_y
-  lumps[29] = (Scalar(5.0) * omega1_2 * b3 * b5 - Scalar(11.0) * omega1 * omega2 * b3 * b5
-      + Scalar(4.0) * omega2_2 * b3_2) / (Scalar(16.0) * omega1_3 * omega2_3 - Scalar(32.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega1 * omega2_5);
-  // harmonic_re_x_A_x_A_y2_conjA_x2
-  lumps[30] = (Scalar(2.0) * omega1_3 * b3_2 - Scalar(2.0) * omega1_2 * omega2 * b3_2
-      + Scalar(6.0) * omega1 * omega2_2 * b1 * b3 - Scalar(5.0) * omega1 * omega2_2 * b3_2
-      + Scalar(3.0) * omega2_3 * b1 * b3 - omega2_3 * b3_2) / (Scalar(8.0) * omega1_4 * omega2_3
-      - Scalar(8.0) * omega1_3 * omega2_4 - Scalar(8.0) * omega1_2 * omega2_5 + Scalar(8.0) * omega1 * omega2_6);
-  // harmonic_re_x_A_y2_conjA_y_F
-  lumps[31] = (Scalar(3.0) * omega1 * p * b5 - Scalar(2.0) * omega2 * b3 * p
-      + Scalar(6.0) * omega2 * p * b5) / (Scalar(32.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4
-      + Scalar(32.0) * omega2_5);
-  // harmonic_re_x_A_x_A_y_conjA_x_F
-  lumps[32] = (omega1_2 * b3 * p - Scalar(3.0) * omega1 * omega2 * b1 * p + Scalar(2.0) * omega1 * omega2 * b3 * p
-      - omega2_2 * b3 * q) / (Scalar(16.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega1 * omega2_5);
-  // harmonic_re_x_A_x_A_y3_conjA_y
-  lumps[33] = (-Scalar(5.0) * omega1_2 * b3 * b5 - Scalar(11.0) * omega1 * omega2 * b3 * b5
-      - Scalar(4.0) * omega2_2 * b3_2) / (Scalar(16.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega1 * omega2_5);
-  // harmonic_re_x_A_x2_A_y2_conjA_x
-  lumps[34] = (-Scalar(2.0) * omega1_3 * b3_2 - Scalar(2.0) * omega1_2 * omega2 * b3_2
-      - Scalar(6.0) * omega1 * omega2_2 * b1 * b3 + Scalar(5.0) * omega1 * omega2_2 * b3_2
-      + Scalar(3.0) * omega2_3 * b1 * b3 - omega2_3 * b3_2) / (Scalar(8.0) * omega1_4 * omega2_3
-      + Scalar(8.0) * omega1_3 * omega2_4 - Scalar(8.0) * omega1_2 * omega2_5 - Scalar(8.0) * omega1 * omega2_6);
-  // harmonic_re_x_A_x2_conjA_y_F
-  lumps[35] = (-omega1 * b3 * p - Scalar(2.0) * omega1 * b3 * q - omega2 * b3 * p
-      + Scalar(2.0) * omega2 * b3 * q) / (Scalar(64.0) * omega1_5 - Scalar(64.0) * omega1_3 * omega2_2);
-  // harmonic_re_x_A_x3_A_y_conjA_y
-  lumps[36] = (-Scalar(2.0) * omega1_2 * b1 * b3 + omega1_2 * b3_2
-      + Scalar(2.0) * omega2_2 * b1 * b3) / (Scalar(8.0) * omega1_6 - Scalar(8.0) * omega1_4 * omega2_2);
-  // harmonic_re_x_A_y2_conjA_x3
-  lumps[37] = (-Scalar(6.0) * omega1_2 * b1 * b3 + omega1 * omega2 * b1 * b3
-      + Scalar(4.0) * omega1 * omega2 * b3_2 - omega2_2 * b1 * b3) / (Scalar(64.0) * omega1_5 * omega2
-      - Scalar(160.0) * omega1_4 * omega2_2 + Scalar(128.0) * omega1_3 * omega2_3
-      - Scalar(32.0) * omega1_2 * omega2_4);
-  // harmonic_re_x_A_y4_conjA_x
-  lumps[38] = (-omega1 * b3 * b5 + omega2 * b3_2 + omega2 * b3 * b5) / (Scalar(32.0) * omega1_2 * omega2_3
-      - Scalar(96.0) * omega1 * omega2_4 + Scalar(64.0) * omega2_5);
-  // harmonic_re_x_A_x_A_y4
-  lumps[39] = (omega1 * b3 * b5 + omega2 * b3_2 + omega2 * b3 * b5) / (Scalar(32.0) * omega1_2 * omega2_3
-      + Scalar(96.0) * omega1 * omega2_4 + Scalar(64.0) * omega2_5);
-  // harmonic_re_x_A_x2_A_y_F
-  lumps[40] = (-Scalar(3.0) * omega1 * b1 * p - omega2 * b3 * p
-      - Scalar(2.0) * omega2 * b3 * q) / (Scalar(64.0) * omega1_4 * omega2 + Scalar(160.0) * omega1_3 * omega2_2
-      + Scalar(128.0) * omega1_2 * omega2_3 + Scalar(32.0) * omega1 * omega2_4);
-  // harmonic_re_x_A_x3_A_y2
-  lumps[41] = (Scalar(6.0) * omega1_2 * b1 * b3 + omega1 * omega2 * b1 * b3 + Scalar(4.0) * omega1 * omega2 * b3_2
-      + omega2_2 * b1 * b3) / (Scalar(64.0) * omega1_5 * omega2 + Scalar(160.0) * omega1_4 * omega2_2
-      + Scalar(128.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4);
-  lumps[42] = -b1 * q / (Scalar(64.0) * omega1_4 - Scalar(64.0) * omega1_3 * omega2);  // harmonic_re_y_conjA_x3_F
-  // harmonic_re_y_A_y2_conjA_x2_conjA_y
-  lumps[43] = (-omega1_3 * b3_2 + Scalar(3.0) * omega1_3 * b3 * b5 - Scalar(5.0) * omega1_2 * omega2 * b3_2
-      + Scalar(6.0) * omega1_2 * omega2 * b3 * b5 - Scalar(2.0) * omega1 * omega2_2 * b3_2
-      + Scalar(2.0) * omega2_3 * b3_2) / (Scalar(8.0) * omega1_6 * omega2 - Scalar(8.0) * omega1_5 * omega2_2
-      - Scalar(8.0) * omega1_4 * omega2_3 + Scalar(8.0) * omega1_3 * omega2_4);
-  // harmonic_re_y_A_x_A_y_conjA_x3
-  lumps[44] = (Scalar(4.0) * omega1_2 * b3_2 - Scalar(11.0) * omega1 * omega2 * b1 * b3
-      + Scalar(5.0) * omega2_2 * b1 * b3) / (Scalar(16.0) * omega1_5 * omega2 - Scalar(32.0) * omega1_4 * omega2_2
-      + Scalar(16.0) * omega1_3 * omega2_3);
-  // harmonic_re_y_A_y2_conjA_x_F
-  lumps[45] = (omega1_2 * b3 * q + omega1 * omega2 * b3 * q - Scalar(3.0) * omega1 * omega2 * b5 * q
-      + Scalar(3.0) * omega2_2 * b5 * q) / (Scalar(32.0) * omega1_5 * omega2 - Scalar(32.0) * omega1_4 * omega2_2
-      - Scalar(32.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4);
-  // harmonic_re_y_A_x_A_y3_conjA_x
-  lumps[46] = (-Scalar(2.0) * omega1_2 * b3 * b5 - omega2_2 * b3_2
-      + Scalar(2.0) * omega2_2 * b3 * b5) / (Scalar(8.0) * omega1_2 * omega2_4 - Scalar(8.0) * omega2_6);
-  // harmonic_re_y_A_x_A_y_conjA_y_F
-  lumps[47] = (-omega1_2 * b3 * p + Scalar(2.0) * omega1 * omega2 * b3 * q
-      - Scalar(3.0) * omega1 * omega2 * b5 * q + omega2_2 * b3 * q) / (Scalar(16.0) * omega1_5 * omega2
-      + Scalar(32.0) * omega1_4 * omega2_2 + Scalar(16.0) * omega1_3 * omega2_3);
-  // harmonic_re_y_A_x2_conjA_x_F
-  lumps[48] = (Scalar(6.0) * omega1 * b1 * q - Scalar(2.0) * omega1 * b3 * q
-      + Scalar(3.0) * omega2 * b1 * q) / (Scalar(32.0) * omega1_5 + Scalar(64.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2);
-  // harmonic_re_y_A_x2_A_y2_conjA_y
-  lumps[49] = (omega1_3 * b3_2 - Scalar(3.0) * omega1_3 * b3 * b5 - Scalar(5.0) * omega1_2 * omega2 * b3_2
-      + Scalar(6.0) * omega1_2 * omega2 * b3 * b5 + Scalar(2.0) * omega1 * omega2_2 * b3_2
-      + Scalar(2.0) * omega2_3 * b3_2) / (Scalar(8.0) * omega1_6 * omega2 + Scalar(8.0) * omega1_5 * omega2_2
-      - Scalar(8.0) * omega1_4 * omega2_3 - Scalar(8.0) * omega1_3 * omega2_4);
-  // harmonic_re_y_A_x3_A_y_conjA_x
-  lumps[50] = (-Scalar(4.0) * omega1_2 * b3_2 - Scalar(11.0) * omega1 * omega2 * b1 * b3
-      - Scalar(5.0) * omega2_2 * b1 * b3) / (Scalar(16.0) * omega1_5 * omega2 + Scalar(32.0) * omega1_4 * omega2_2
-      + Scalar(16.0) * omega1_3 * omega2_3);
-  // harmonic_re_y_A_y3_conjA_x2
-  lumps[51] = (omega1_2 * b3 * b5 - Scalar(4.0) * omega1 * omega2 * b3_2 - omega1 * omega2 * b3 * b5
-      + Scalar(6.0) * omega2_2 * b3 * b5) / (Scalar(32.0) * omega1_4 * omega2_2
-      - Scalar(128.0) * omega1_3 * omega2_3 + Scalar(160.0) * omega1_2 * omega2_4
-      - Scalar(64.0) * omega1 * omega2_5);
-  // harmonic_re_y_A_x_A_y2_F
-  lumps[52] = (-Scalar(2.0) * omega1 * b3 * p - omega1 * b3 * q
-      - Scalar(3.0) * omega2 * b5 * q) / (Scalar(32.0) * omega1_4 * omega2 + Scalar(128.0) * omega1_3 * omega2_2
-      + Scalar(160.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4);
-  // harmonic_re_y_A_x2_A_y3
-  lumps[53] = (omega1_2 * b3 * b5 + Scalar(4.0) * omega1 * omega2 * b3_2 + omega1 * omega2 * b3 * b5
-      + Scalar(6.0) * omega2_2 * b3 * b5) / (Scalar(32.0) * omega1_4 * omega2_2
-      + Scalar(128.0) * omega1_3 * omega2_3 + Scalar(160.0) * omega1_2 * omega2_4
-      + Scalar(64.0) * omega1 * omega2_5);
-  // harmonic_re_y_A_x3_F
-  lumps[54] = (-omega1 * b1 * q - Scalar(2.0) * omega1 * b3 * q - omega2 * b1 * q) / (Scalar(256.0) * omega1_5
-      + Scalar(384.0) * omega1_4 * omega2 + Scalar(128.0) * omega1_3 * omega2_2);
-  // harmonic_re_y_A_x4_A_y
-  lumps[55] = (omega1 * b1 * b3 + omega1 * b3_2 + omega2 * b1 * b3) / (Scalar(64.0) * omega1_5
-      + Scalar(96.0) * omega1_4 * omega2 + Scalar(32.0) * omega1_3 * omega2_2);
-  // harmonic_re_y_A_x4_conjA_y
-  lumps[56] = (omega1 * b1 * b3 + omega1 * b3_2 - omega2 * b1 * b3) / (Scalar(64.0) * omega1_5
-      - Scalar(96.0) * omega1_4 * omega2 + Scalar(32.0) * omega1_3 * omega2_2);
-}
-
-/// gradient[p] = d conservative_x_A_x2_A_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 72 operations.
-template <class Scalar>
-void lump_gradient_0(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(16.0) * omega1_4 * omega2 + Scalar(16.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (-Scalar(4.0) * omega1 * b3 * q - Scalar(3.0) * omega2 * b1 * p - omega2 * b3 * p
-      - Scalar(2.0) * omega2 * b3 * q - lump * (Scalar(64.0) * omega1_3 * omega2
-      + Scalar(48.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(3.0) * omega1 * b1 * p - omega1 * b3 * p - Scalar(2.0) * omega1 * b3 * q
-      - Scalar(6.0) * omega2 * b1 * p - lump * (Scalar(16.0) * omega1_4
-      + Scalar(32.0) * omega1_3 * omega2)) / denominator;
-  gradient[3] = (-Scalar(3.0) * omega1 * omega2 * p - Scalar(3.0) * omega2_2 * p) / denominator;  // by b1
-  // by b3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * q - omega1 * omega2 * p
-      - Scalar(2.0) * omega1 * omega2 * q) / denominator;
-  // by p
-  gradient[5] = (-Scalar(3.0) * omega1 * omega2 * b1 - omega1 * omega2 * b3
-      - Scalar(3.0) * omega2_2 * b1) / denominator;
-  gradient[8] = (-Scalar(2.0) * omega1_2 * b3 - Scalar(2.0) * omega1 * omega2 * b3) / denominator;  // by q
-}
-
-/// gradient[p] = d conservative_x_A_x_F2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 25 operations.
-template <class Scalar>
-void lump_gradient_3(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar p = parameters[5];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(32.0) * omega1_3 * omega2 + Scalar(32.0) * omega1_2 * omega2_2;
-  // by omega1
-  gradient[0] = (p * q - lump * (Scalar(96.0) * omega1_2 * omega2
-      + Scalar(64.0) * omega1 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * p * q - lump * (Scalar(32.0) * omega1_3
-      + Scalar(64.0) * omega1_2 * omega2)) / denominator;
-  gradient[5] = (omega1 * q + Scalar(2.0) * omega2 * q) / denominator;  // by p
-  gradient[8] = (omega1 * p + Scalar(2.0) * omega2 * p) / denominator;  // by q
-}
-
-/// gradient[p] = d conservative_x_A_x_A_y2_conjA_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 19 operations.
-template <class Scalar>
-void lump_gradient_6(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(4.0) * omega1_5 - Scalar(4.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * b3_2 - lump * (Scalar(20.0) * omega1_4
-      - Scalar(12.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(4.0) * omega2 * b3_2 - lump * (-Scalar(8.0) * omega1_3 * omega2)) / denominator;
-  gradient[4] = (-Scalar(6.0) * omega1_2 * b3 + Scalar(4.0) * omega2_2 * b3) / denominator;  // by b3
-}
-
-/// gradient[p] = d conservative_x_A_x2_A_y_conjA_x_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this
-/// lump N/D.
-/// 32 operations.
-template <class Scalar>
-void lump_gradient_9(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(2.0) * omega1_5 - Scalar(2.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * b1 * b3 + Scalar(2.0) * omega1 * b3_2 - lump * (Scalar(10.0) * omega1_4
-      - Scalar(6.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(6.0) * omega2 * b1 * b3 - lump * (-Scalar(4.0) * omega1_3 * omega2)) / denominator;
-  gradient[3] = (-Scalar(3.0) * omega1_2 * b3 + Scalar(3.0) * omega2_2 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (-Scalar(3.0) * omega1_2 * b1 + Scalar(2.0) * omega1_2 * b3
-      + Scalar(3.0) * omega2_2 * b1) / denominator;
-}
-
-/// gradient[p] = d conservative_x_A_y_conjA_y2_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 69 operations.
-template <class Scalar>
-void lump_gradient_13(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(16.0) * omega1_4 * omega2 + Scalar(16.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (-Scalar(2.0) * omega1 * b3 * p - Scalar(6.0) * omega1 * p * b5 + Scalar(2.0) * omega2 * b3 * p
-      - Scalar(3.0) * omega2 * p * b5 - lump * (Scalar(64.0) * omega1_3 * omega2
-      + Scalar(48.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1 * b3 * p - Scalar(3.0) * omega1 * p * b5 + Scalar(4.0) * omega2 * b3 * p
-      - lump * (Scalar(16.0) * omega1_4 + Scalar(32.0) * omega1_3 * omega2)) / denominator;
-  // by b3
-  gradient[4] = (-omega1_2 * p + Scalar(2.0) * omega1 * omega2 * p + Scalar(2.0) * omega2_2 * p) / denominator;
-  // by p
-  gradient[5] = (-omega1_2 * b3 - Scalar(3.0) * omega1_2 * b5 + Scalar(2.0) * omega1 * omega2 * b3
-      - Scalar(3.0) * omega1 * omega2 * b5 + Scalar(2.0) * omega2_2 * b3) / denominator;
-  gradient[7] = (-Scalar(3.0) * omega1_2 * p - Scalar(3.0) * omega1 * omega2 * p) / denominator;  // by b5
-}
-
-/// gradient[p] = d conservative_x_A_x_conjA_x_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump
-/// N/D.
-/// 62 operations.
-template <class Scalar>
-void lump_gradient_14(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(8.0) * omega1_4 * omega2 + Scalar(8.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (-Scalar(2.0) * omega1 * b3 * p + Scalar(2.0) * omega1 * b3 * q + Scalar(3.0) * omega2 * b1 * p
-      - omega2 * b3 * p - lump * (Scalar(32.0) * omega1_3 * omega2
-      + Scalar(24.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(3.0) * omega1 * b1 * p - omega1 * b3 * p + Scalar(6.0) * omega2 * b1 * p
-      - lump * (Scalar(8.0) * omega1_4 + Scalar(16.0) * omega1_3 * omega2)) / denominator;
-  gradient[3] = (Scalar(3.0) * omega1 * omega2 * p + Scalar(3.0) * omega2_2 * p) / denominator;  // by b1
-  gradient[4] = (-omega1_2 * p + omega1_2 * q - omega1 * omega2 * p) / denominator;  // by b3
-  // by p
-  gradient[5] = (-omega1_2 * b3 + Scalar(3.0) * omega1 * omega2 * b1 - omega1 * omega2 * b3
-      + Scalar(3.0) * omega2_2 * b1) / denominator;
-  gradient[8] = (omega1_2 * b3) / denominator;  // by q
-}
-
-/// gradient[p] = d conservative_y_A_x_A_y2_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 72 operations.
-template <class Scalar>
-void lump_gradient_15(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar b5 = parameters[7];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(16.0) * omega1_2 * omega2_3 + Scalar(16.0) * omega1 * omega2_4;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * b5 * q - Scalar(2.0) * omega2 * b3 * p - omega2 * b3 * q
-      - Scalar(3.0) * omega2 * b5 * q - lump * (Scalar(32.0) * omega1 * omega2_3
-      + Scalar(16.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * omega1 * b3 * p - omega1 * b3 * q - Scalar(3.0) * omega1 * b5 * q
-      - Scalar(4.0) * omega2 * b3 * p - lump * (Scalar(48.0) * omega1_2 * omega2_2
-      + Scalar(64.0) * omega1 * omega2_3)) / denominator;
-  // by b3
-  gradient[4] = (-Scalar(2.0) * omega1 * omega2 * p - omega1 * omega2 * q
-      - Scalar(2.0) * omega2_2 * p) / denominator;
-  gradient[5] = (-Scalar(2.0) * omega1 * omega2 * b3 - Scalar(2.0) * omega2_2 * b3) / denominator;  // by p
-  gradient[7] = (-Scalar(3.0) * omega1_2 * q - Scalar(3.0) * omega1 * omega2 * q) / denominator;  // by b5
-  // by q
-  gradient[8] = (-Scalar(3.0) * omega1_2 * b5 - omega1 * omega2 * b3
-      - Scalar(3.0) * omega1 * omega2 * b5) / denominator;
-}
-
-/// gradient[p] = d conservative_y_A_x_A_y2_conjA_x_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this
-/// lump N/D.
-/// 32 operations.
-template <class Scalar>
-void lump_gradient_22(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(2.0) * omega1_2 * omega2_3 - Scalar(2.0) * omega2_5;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1 * b3 * b5 - lump * (Scalar(4.0) * omega1 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * omega2 * b3_2 + Scalar(6.0) * omega2 * b3 * b5
-      - lump * (Scalar(6.0) * omega1_2 * omega2_2 - Scalar(10.0) * omega2_4)) / denominator;
-  // by b3
-  gradient[4] = (-Scalar(3.0) * omega1_2 * b5 - Scalar(2.0) * omega2_2 * b3
-      + Scalar(3.0) * omega2_2 * b5) / denominator;
-  gradient[7] = (-Scalar(3.0) * omega1_2 * b3 + Scalar(3.0) * omega2_2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d conservative_y_A_y_conjA_x_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump
-/// N/D.
-/// 62 operations.
-template <class Scalar>
-void lump_gradient_25(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar b5 = parameters[7];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(8.0) * omega1_2 * omega2_3 + Scalar(8.0) * omega1 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * b5 * q - omega2 * b3 * q + Scalar(3.0) * omega2 * b5 * q
-      - lump * (Scalar(16.0) * omega1 * omega2_3 + Scalar(8.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-omega1 * b3 * q + Scalar(3.0) * omega1 * b5 * q + Scalar(2.0) * omega2 * b3 * p
-      - Scalar(2.0) * omega2 * b3 * q - lump * (Scalar(24.0) * omega1_2 * omega2_2
-      + Scalar(32.0) * omega1 * omega2_3)) / denominator;
-  gradient[4] = (-omega1 * omega2 * q + omega2_2 * p - omega2_2 * q) / denominator;  // by b3
-  gradient[5] = (omega2_2 * b3) / denominator;  // by p
-  gradient[7] = (Scalar(3.0) * omega1_2 * q + Scalar(3.0) * omega1 * omega2 * q) / denominator;  // by b5
-  // by q
-  gradient[8] = (Scalar(3.0) * omega1_2 * b5 - omega1 * omega2 * b3 + Scalar(3.0) * omega1 * omega2 * b5
-      - omega2_2 * b3) / denominator;
-}
-
-/// gradient[p] = d conservative_y_A_x_conjA_x2_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 69 operations.
-template <class Scalar>
-void lump_gradient_26(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(16.0) * omega1_2 * omega2_3 + Scalar(16.0) * omega1 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(4.0) * omega1 * b3 * q - Scalar(3.0) * omega2 * b1 * q + Scalar(2.0) * omega2 * b3 * q
-      - lump * (Scalar(32.0) * omega1 * omega2_3 + Scalar(16.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(3.0) * omega1 * b1 * q + Scalar(2.0) * omega1 * b3 * q - Scalar(6.0) * omega2 * b1 * q
-      - Scalar(2.0) * omega2 * b3 * q - lump * (Scalar(48.0) * omega1_2 * omega2_2
-      + Scalar(64.0) * omega1 * omega2_3)) / denominator;
-  gradient[3] = (-Scalar(3.0) * omega1 * omega2 * q - Scalar(3.0) * omega2_2 * q) / denominator;  // by b1
-  // by b3
-  gradient[4] = (Scalar(2.0) * omega1_2 * q + Scalar(2.0) * omega1 * omega2 * q - omega2_2 * q) / denominator;
-  // by q
-  gradient[8] = (Scalar(2.0) * omega1_2 * b3 - Scalar(3.0) * omega1 * omega2 * b1
-      + Scalar(2.0) * omega1 * omega2 * b3 - Scalar(3.0) * omega2_2 * b1 - omega2_2 * b3) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_x_A_y_conjA_x2_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 73 operations.
-template <class Scalar>
-void lump_gradient_27(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar denominator = Scalar(32.0) * omega1_4 * omega2_2 - Scalar(32.0) * omega1_3 * omega2_3
-      - Scalar(32.0) * omega1_2 * omega2_4 + Scalar(32.0) * omega1 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1 * b1 * p - Scalar(3.0) * omega2 * b1 * p + omega2 * b3 * p
-      - lump * (Scalar(128.0) * omega1_3 * omega2_2 - Scalar(96.0) * omega1_2 * omega2_3
-      - Scalar(64.0) * omega1 * omega2_4 + Scalar(32.0) * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(3.0) * omega1 * b1 * p + omega1 * b3 * p + Scalar(2.0) * omega2 * b3 * p
-      - lump * (Scalar(64.0) * omega1_4 * omega2 - Scalar(96.0) * omega1_3 * omega2_2
-      - Scalar(128.0) * omega1_2 * omega2_3 + Scalar(160.0) * omega1 * omega2_4)) / denominator;
-  gradient[3] = (Scalar(3.0) * omega1_2 * p - Scalar(3.0) * omega1 * omega2 * p) / denominator;  // by b1
-  gradient[4] = (omega1 * omega2 * p + omega2_2 * p) / denominator;  // by b3
-  // by p
-  gradient[5] = (Scalar(3.0) * omega1_2 * b1 - Scalar(3.0) * omega1 * omega2 * b1 + omega1 * omega2 * b3
-      + omega2_2 * b3) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_x_A_y3_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 34 operations.
-template <class Scalar>
-void lump_gradient_28(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(32.0) * omega1_3 * omega2_2 - Scalar(64.0) * omega1_2 * omega2_3
-      + Scalar(32.0) * omega1 * omega2_4;
-  // by omega1
-  gradient[0] = (b3 * p - lump * (Scalar(96.0) * omega1_2 * omega2_2 - Scalar(128.0) * omega1 * omega2_3
-      + Scalar(32.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * b3 * p - lump * (Scalar(64.0) * omega1_3 * omega2
-      - Scalar(192.0) * omega1_2 * omega2_2 + Scalar(128.0) * omega1 * omega2_3)) / denominator;
-  gradient[4] = (omega1 * p - Scalar(2.0) * omega2 * p) / denominator;  // by b3
-  gradient[5] = (omega1 * b3 - Scalar(2.0) * omega2 * b3) / denominator;  // by p
-}
-
-/// gradient[p] = d harmonic_re_x_A_y3_conjA_x_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump
-/// N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_29(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(16.0) * omega1_3 * omega2_3 - Scalar(32.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega1 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(10.0) * omega1 * b3 * b5 - Scalar(11.0) * omega2 * b3 * b5
-      - lump * (Scalar(48.0) * omega1_2 * omega2_3 - Scalar(64.0) * omega1 * omega2_4
-      + Scalar(16.0) * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(11.0) * omega1 * b3 * b5 + Scalar(8.0) * omega2 * b3_2
-      - lump * (Scalar(48.0) * omega1_3 * omega2_2 - Scalar(128.0) * omega1_2 * omega2_3
-      + Scalar(80.0) * omega1 * omega2_4)) / denominator;
-  // by b3
-  gradient[4] = (Scalar(5.0) * omega1_2 * b5 - Scalar(11.0) * omega1 * omega2 * b5
-      + Scalar(8.0) * omega2_2 * b3) / denominator;
-  gradient[7] = (Scalar(5.0) * omega1_2 * b3 - Scalar(11.0) * omega1 * omega2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y2_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 89 operations.
-template <class Scalar>
-void lump_gradient_30(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(8.0) * omega1_4 * omega2_3 - Scalar(8.0) * omega1_3 * omega2_4
-      - Scalar(8.0) * omega1_2 * omega2_5 + Scalar(8.0) * omega1 * omega2_6;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * omega1_2 * b3_2 - Scalar(4.0) * omega1 * omega2 * b3_2
-      + Scalar(6.0) * omega2_2 * b1 * b3 - Scalar(5.0) * omega2_2 * b3_2
-      - lump * (Scalar(32.0) * omega1_3 * omega2_3 - Scalar(24.0) * omega1_2 * omega2_4
-      - Scalar(16.0) * omega1 * omega2_5 + Scalar(8.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * omega1_2 * b3_2 + Scalar(12.0) * omega1 * omega2 * b1 * b3
-      - Scalar(10.0) * omega1 * omega2 * b3_2 + Scalar(9.0) * omega2_2 * b1 * b3 - Scalar(3.0) * omega2_2 * b3_2
-      - lump * (Scalar(24.0) * omega1_4 * omega2_2 - Scalar(32.0) * omega1_3 * omega2_3
-      - Scalar(40.0) * omega1_2 * omega2_4 + Scalar(48.0) * omega1 * omega2_5)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega1 * omega2_2 * b3 + Scalar(3.0) * omega2_3 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (Scalar(4.0) * omega1_3 * b3 - Scalar(4.0) * omega1_2 * omega2 * b3
-      + Scalar(6.0) * omega1 * omega2_2 * b1 - Scalar(10.0) * omega1 * omega2_2 * b3 + Scalar(3.0) * omega2_3 * b1
-      - Scalar(2.0) * omega2_3 * b3) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 40 operations.
-template <class Scalar>
-void lump_gradient_31(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar denominator = Scalar(32.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4
-      + Scalar(32.0) * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(3.0) * p * b5 - lump * (Scalar(64.0) * omega1 * omega2_3
-      + Scalar(64.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * b3 * p + Scalar(6.0) * p * b5 - lump * (Scalar(96.0) * omega1_2 * omega2_2
-      + Scalar(256.0) * omega1 * omega2_3 + Scalar(160.0) * omega2_4)) / denominator;
-  gradient[4] = (-Scalar(2.0) * omega2 * p) / denominator;  // by b3
-  // by p
-  gradient[5] = (Scalar(3.0) * omega1 * b5 - Scalar(2.0) * omega2 * b3 + Scalar(6.0) * omega2 * b5) / denominator;
-  gradient[7] = (Scalar(3.0) * omega1 * p + Scalar(6.0) * omega2 * p) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y_conjA_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 65 operations.
-template <class Scalar>
-void lump_gradient_32(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar denominator = Scalar(16.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega1 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(2.0) * omega1 * b3 * p - Scalar(3.0) * omega2 * b1 * p + Scalar(2.0) * omega2 * b3 * p
-      - lump * (Scalar(48.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4
-      + Scalar(16.0) * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(3.0) * omega1 * b1 * p + Scalar(2.0) * omega1 * b3 * p - Scalar(2.0) * omega2 * b3 * q
-      - lump * (Scalar(48.0) * omega1_3 * omega2_2 + Scalar(128.0) * omega1_2 * omega2_3
-      + Scalar(80.0) * omega1 * omega2_4)) / denominator;
-  gradient[3] = (-Scalar(3.0) * omega1 * omega2 * p) / denominator;  // by b1
-  gradient[4] = (omega1_2 * p + Scalar(2.0) * omega1 * omega2 * p - omega2_2 * q) / denominator;  // by b3
-  // by p
-  gradient[5] = (omega1_2 * b3 - Scalar(3.0) * omega1 * omega2 * b1
-      + Scalar(2.0) * omega1 * omega2 * b3) / denominator;
-  gradient[8] = (-omega2_2 * b3) / denominator;  // by q
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y3_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_33(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(16.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4
-      + Scalar(16.0) * omega1 * omega2_5;
-  // by omega1
-  gradient[0] = (-Scalar(10.0) * omega1 * b3 * b5 - Scalar(11.0) * omega2 * b3 * b5
-      - lump * (Scalar(48.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4
-      + Scalar(16.0) * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(11.0) * omega1 * b3 * b5 - Scalar(8.0) * omega2 * b3_2
-      - lump * (Scalar(48.0) * omega1_3 * omega2_2 + Scalar(128.0) * omega1_2 * omega2_3
-      + Scalar(80.0) * omega1 * omega2_4)) / denominator;
-  // by b3
-  gradient[4] = (-Scalar(5.0) * omega1_2 * b5 - Scalar(11.0) * omega1 * omega2 * b5
-      - Scalar(8.0) * omega2_2 * b3) / denominator;
-  gradient[7] = (-Scalar(5.0) * omega1_2 * b3 - Scalar(11.0) * omega1 * omega2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_x_A_x2_A_y2_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 89 operations.
-template <class Scalar>
-void lump_gradient_34(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(8.0) * omega1_4 * omega2_3 + Scalar(8.0) * omega1_3 * omega2_4
-      - Scalar(8.0) * omega1_2 * omega2_5 - Scalar(8.0) * omega1 * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(6.0) * omega1_2 * b3_2 - Scalar(4.0) * omega1 * omega2 * b3_2
-      - Scalar(6.0) * omega2_2 * b1 * b3 + Scalar(5.0) * omega2_2 * b3_2
-      - lump * (Scalar(32.0) * omega1_3 * omega2_3 + Scalar(24.0) * omega1_2 * omega2_4
-      - Scalar(16.0) * omega1 * omega2_5 - Scalar(8.0) * omega2_6)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * omega1_2 * b3_2 - Scalar(12.0) * omega1 * omega2 * b1 * b3
-      + Scalar(10.0) * omega1 * omega2 * b3_2 + Scalar(9.0) * omega2_2 * b1 * b3 - Scalar(3.0) * omega2_2 * b3_2
-      - lump * (Scalar(24.0) * omega1_4 * omega2_2 + Scalar(32.0) * omega1_3 * omega2_3
-      - Scalar(40.0) * omega1_2 * omega2_4 - Scalar(48.0) * omega1 * omega2_5)) / denominator;
-  gradient[3] = (-Scalar(6.0) * omega1 * omega2_2 * b3 + Scalar(3.0) * omega2_3 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (-Scalar(4.0) * omega1_3 * b3 - Scalar(4.0) * omega1_2 * omega2 * b3
-      - Scalar(6.0) * omega1 * omega2_2 * b1 + Scalar(10.0) * omega1 * omega2_2 * b3 + Scalar(3.0) * omega2_3 * b1
-      - Scalar(2.0) * omega2_3 * b3) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_x_A_x2_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 35 operations.
-template <class Scalar>
-void lump_gradient_35(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(64.0) * omega1_5 - Scalar(64.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (-b3 * p - Scalar(2.0) * b3 * q - lump * (Scalar(320.0) * omega1_4
-      - Scalar(192.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-b3 * p + Scalar(2.0) * b3 * q - lump * (-Scalar(128.0) * omega1_3 * omega2)) / denominator;
-  // by b3
-  gradient[4] = (-omega1 * p - Scalar(2.0) * omega1 * q - omega2 * p + Scalar(2.0) * omega2 * q) / denominator;
-  gradient[5] = (-omega1 * b3 - omega2 * b3) / denominator;  // by p
-  gradient[8] = (-Scalar(2.0) * omega1 * b3 + Scalar(2.0) * omega2 * b3) / denominator;  // by q
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3_A_y_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 32 operations.
-template <class Scalar>
-void lump_gradient_36(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(8.0) * omega1_6 - Scalar(8.0) * omega1_4 * omega2_2;
-  // by omega1
-  gradient[0] = (-Scalar(4.0) * omega1 * b1 * b3 + Scalar(2.0) * omega1 * b3_2 - lump * (Scalar(48.0) * omega1_5
-      - Scalar(32.0) * omega1_3 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(4.0) * omega2 * b1 * b3 - lump * (-Scalar(16.0) * omega1_4 * omega2)) / denominator;
-  gradient[3] = (-Scalar(2.0) * omega1_2 * b3 + Scalar(2.0) * omega2_2 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * b1 + Scalar(2.0) * omega1_2 * b3
-      + Scalar(2.0) * omega2_2 * b1) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_x_A_y2_conjA_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_37(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(64.0) * omega1_5 * omega2 - Scalar(160.0) * omega1_4 * omega2_2
-      + Scalar(128.0) * omega1_3 * omega2_3 - Scalar(32.0) * omega1_2 * omega2_4;
-  // by omega1
-  gradient[0] = (-Scalar(12.0) * omega1 * b1 * b3 + omega2 * b1 * b3 + Scalar(4.0) * omega2 * b3_2
-      - lump * (Scalar(320.0) * omega1_4 * omega2 - Scalar(640.0) * omega1_3 * omega2_2
-      + Scalar(384.0) * omega1_2 * omega2_3 - Scalar(64.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (omega1 * b1 * b3 + Scalar(4.0) * omega1 * b3_2 - Scalar(2.0) * omega2 * b1 * b3
-      - lump * (Scalar(64.0) * omega1_5 - Scalar(320.0) * omega1_4 * omega2 + Scalar(384.0) * omega1_3 * omega2_2
-      - Scalar(128.0) * omega1_2 * omega2_3)) / denominator;
-  gradient[3] = (-Scalar(6.0) * omega1_2 * b3 + omega1 * omega2 * b3 - omega2_2 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (-Scalar(6.0) * omega1_2 * b1 + omega1 * omega2 * b1 + Scalar(8.0) * omega1 * omega2 * b3
-      - omega2_2 * b1) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_x_A_y4_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 30 operations.
-template <class Scalar>
-void lump_gradient_38(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(32.0) * omega1_2 * omega2_3 - Scalar(96.0) * omega1 * omega2_4
-      + Scalar(64.0) * omega2_5;
-  // by omega1
-  gradient[0] = (-b3 * b5 - lump * (Scalar(64.0) * omega1 * omega2_3 - Scalar(96.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (b3_2 + b3 * b5 - lump * (Scalar(96.0) * omega1_2 * omega2_2 - Scalar(384.0) * omega1 * omega2_3
-      + Scalar(320.0) * omega2_4)) / denominator;
-  gradient[4] = (-omega1 * b5 + Scalar(2.0) * omega2 * b3 + omega2 * b5) / denominator;  // by b3
-  gradient[7] = (-omega1 * b3 + omega2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_x_A_x_A_y4 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 30 operations.
-template <class Scalar>
-void lump_gradient_39(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(32.0) * omega1_2 * omega2_3 + Scalar(96.0) * omega1 * omega2_4
-      + Scalar(64.0) * omega2_5;
-  // by omega1
-  gradient[0] = (b3 * b5 - lump * (Scalar(64.0) * omega1 * omega2_3 + Scalar(96.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (b3_2 + b3 * b5 - lump * (Scalar(96.0) * omega1_2 * omega2_2 + Scalar(384.0) * omega1 * omega2_3
-      + Scalar(320.0) * omega2_4)) / denominator;
-  gradient[4] = (omega1 * b5 + Scalar(2.0) * omega2 * b3 + omega2 * b5) / denominator;  // by b3
-  gradient[7] = (omega1 * b3 + omega2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_x_A_x2_A_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 49 operations.
-template <class Scalar>
-void lump_gradient_40(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(64.0) * omega1_4 * omega2 + Scalar(160.0) * omega1_3 * omega2_2
-      + Scalar(128.0) * omega1_2 * omega2_3 + Scalar(32.0) * omega1 * omega2_4;
-  // by omega1
-  gradient[0] = (-Scalar(3.0) * b1 * p - lump * (Scalar(256.0) * omega1_3 * omega2
-      + Scalar(480.0) * omega1_2 * omega2_2 + Scalar(256.0) * omega1 * omega2_3
-      + Scalar(32.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-b3 * p - Scalar(2.0) * b3 * q - lump * (Scalar(64.0) * omega1_4
-      + Scalar(320.0) * omega1_3 * omega2 + Scalar(384.0) * omega1_2 * omega2_2
-      + Scalar(128.0) * omega1 * omega2_3)) / denominator;
-  gradient[3] = (-Scalar(3.0) * omega1 * p) / denominator;  // by b1
-  gradient[4] = (-omega2 * p - Scalar(2.0) * omega2 * q) / denominator;  // by b3
-  gradient[5] = (-Scalar(3.0) * omega1 * b1 - omega2 * b3) / denominator;  // by p
-  gradient[8] = (-Scalar(2.0) * omega2 * b3) / denominator;  // by q
-}
-
-/// gradient[p] = d harmonic_re_x_A_x3_A_y2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_41(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(64.0) * omega1_5 * omega2 + Scalar(160.0) * omega1_4 * omega2_2
-      + Scalar(128.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(12.0) * omega1 * b1 * b3 + omega2 * b1 * b3 + Scalar(4.0) * omega2 * b3_2
-      - lump * (Scalar(320.0) * omega1_4 * omega2 + Scalar(640.0) * omega1_3 * omega2_2
-      + Scalar(384.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (omega1 * b1 * b3 + Scalar(4.0) * omega1 * b3_2 + Scalar(2.0) * omega2 * b1 * b3
-      - lump * (Scalar(64.0) * omega1_5 + Scalar(320.0) * omega1_4 * omega2 + Scalar(384.0) * omega1_3 * omega2_2
-      + Scalar(128.0) * omega1_2 * omega2_3)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega1_2 * b3 + omega1 * omega2 * b3 + omega2_2 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (Scalar(6.0) * omega1_2 * b1 + omega1 * omega2 * b1 + Scalar(8.0) * omega1 * omega2 * b3
-      + omega2_2 * b1) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_y_conjA_x3_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 9 operations.
-template <class Scalar>
-void lump_gradient_42(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar denominator = Scalar(64.0) * omega1_4 - Scalar(64.0) * omega1_3 * omega2;
-  // by omega1
-  gradient[0] = (-lump * (Scalar(256.0) * omega1_3 - Scalar(192.0) * omega1_2 * omega2)) / denominator;
-  gradient[1] = (-lump * (-Scalar(64.0) * omega1_3)) / denominator;  // by omega2
-  gradient[3] = (-q) / denominator;  // by b1
-  gradient[8] = (-b1) / denominator;  // by q
-}
-
-/// gradient[p] = d harmonic_re_y_A_y2_conjA_x2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump
-/// N/D.
-/// 89 operations.
-template <class Scalar>
-void lump_gradient_43(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(8.0) * omega1_6 * omega2 - Scalar(8.0) * omega1_5 * omega2_2
-      - Scalar(8.0) * omega1_4 * omega2_3 + Scalar(8.0) * omega1_3 * omega2_4;
-  // by omega1
-  gradient[0] = (-Scalar(3.0) * omega1_2 * b3_2 + Scalar(9.0) * omega1_2 * b3 * b5
-      - Scalar(10.0) * omega1 * omega2 * b3_2 + Scalar(12.0) * omega1 * omega2 * b3 * b5
-      - Scalar(2.0) * omega2_2 * b3_2 - lump * (Scalar(48.0) * omega1_5 * omega2
-      - Scalar(40.0) * omega1_4 * omega2_2 - Scalar(32.0) * omega1_3 * omega2_3
-      + Scalar(24.0) * omega1_2 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(5.0) * omega1_2 * b3_2 + Scalar(6.0) * omega1_2 * b3 * b5
-      - Scalar(4.0) * omega1 * omega2 * b3_2 + Scalar(6.0) * omega2_2 * b3_2 - lump * (Scalar(8.0) * omega1_6
-      - Scalar(16.0) * omega1_5 * omega2 - Scalar(24.0) * omega1_4 * omega2_2
-      + Scalar(32.0) * omega1_3 * omega2_3)) / denominator;
-  // by b3
-  gradient[4] = (-Scalar(2.0) * omega1_3 * b3 + Scalar(3.0) * omega1_3 * b5
-      - Scalar(10.0) * omega1_2 * omega2 * b3 + Scalar(6.0) * omega1_2 * omega2 * b5
-      - Scalar(4.0) * omega1 * omega2_2 * b3 + Scalar(4.0) * omega2_3 * b3) / denominator;
-  gradient[7] = (Scalar(3.0) * omega1_3 * b3 + Scalar(6.0) * omega1_2 * omega2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_x3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_44(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(16.0) * omega1_5 * omega2 - Scalar(32.0) * omega1_4 * omega2_2
-      + Scalar(16.0) * omega1_3 * omega2_3;
-  // by omega1
-  gradient[0] = (Scalar(8.0) * omega1 * b3_2 - Scalar(11.0) * omega2 * b1 * b3
-      - lump * (Scalar(80.0) * omega1_4 * omega2 - Scalar(128.0) * omega1_3 * omega2_2
-      + Scalar(48.0) * omega1_2 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(11.0) * omega1 * b1 * b3 + Scalar(10.0) * omega2 * b1 * b3
-      - lump * (Scalar(16.0) * omega1_5 - Scalar(64.0) * omega1_4 * omega2
-      + Scalar(48.0) * omega1_3 * omega2_2)) / denominator;
-  gradient[3] = (-Scalar(11.0) * omega1 * omega2 * b3 + Scalar(5.0) * omega2_2 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (Scalar(8.0) * omega1_2 * b3 - Scalar(11.0) * omega1 * omega2 * b1
-      + Scalar(5.0) * omega2_2 * b1) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_y_A_y2_conjA_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 73 operations.
-template <class Scalar>
-void lump_gradient_45(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(32.0) * omega1_5 * omega2 - Scalar(32.0) * omega1_4 * omega2_2
-      - Scalar(32.0) * omega1_3 * omega2_3 + Scalar(32.0) * omega1_2 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(2.0) * omega1 * b3 * q + omega2 * b3 * q - Scalar(3.0) * omega2 * b5 * q
-      - lump * (Scalar(160.0) * omega1_4 * omega2 - Scalar(128.0) * omega1_3 * omega2_2
-      - Scalar(96.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (omega1 * b3 * q - Scalar(3.0) * omega1 * b5 * q + Scalar(6.0) * omega2 * b5 * q
-      - lump * (Scalar(32.0) * omega1_5 - Scalar(64.0) * omega1_4 * omega2 - Scalar(96.0) * omega1_3 * omega2_2
-      + Scalar(128.0) * omega1_2 * omega2_3)) / denominator;
-  gradient[4] = (omega1_2 * q + omega1 * omega2 * q) / denominator;  // by b3
-  gradient[7] = (-Scalar(3.0) * omega1 * omega2 * q + Scalar(3.0) * omega2_2 * q) / denominator;  // by b5
-  // by q
-  gradient[8] = (omega1_2 * b3 + omega1 * omega2 * b3 - Scalar(3.0) * omega1 * omega2 * b5
-      + Scalar(3.0) * omega2_2 * b5) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y3_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 32 operations.
-template <class Scalar>
-void lump_gradient_46(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar omega2_6 = omega2_5 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(8.0) * omega1_2 * omega2_4 - Scalar(8.0) * omega2_6;
-  // by omega1
-  gradient[0] = (-Scalar(4.0) * omega1 * b3 * b5 - lump * (Scalar(16.0) * omega1 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(2.0) * omega2 * b3_2 + Scalar(4.0) * omega2 * b3 * b5
-      - lump * (Scalar(32.0) * omega1_2 * omega2_3 - Scalar(48.0) * omega2_5)) / denominator;
-  // by b3
-  gradient[4] = (-Scalar(2.0) * omega1_2 * b5 - Scalar(2.0) * omega2_2 * b3
-      + Scalar(2.0) * omega2_2 * b5) / denominator;
-  gradient[7] = (-Scalar(2.0) * omega1_2 * b3 + Scalar(2.0) * omega2_2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y_conjA_y_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 65 operations.
-template <class Scalar>
-void lump_gradient_47(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar b5 = parameters[7];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar denominator = Scalar(16.0) * omega1_5 * omega2 + Scalar(32.0) * omega1_4 * omega2_2
-      + Scalar(16.0) * omega1_3 * omega2_3;
-  // by omega1
-  gradient[0] = (-Scalar(2.0) * omega1 * b3 * p + Scalar(2.0) * omega2 * b3 * q - Scalar(3.0) * omega2 * b5 * q
-      - lump * (Scalar(80.0) * omega1_4 * omega2 + Scalar(128.0) * omega1_3 * omega2_2
-      + Scalar(48.0) * omega1_2 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(2.0) * omega1 * b3 * q - Scalar(3.0) * omega1 * b5 * q + Scalar(2.0) * omega2 * b3 * q
-      - lump * (Scalar(16.0) * omega1_5 + Scalar(64.0) * omega1_4 * omega2
-      + Scalar(48.0) * omega1_3 * omega2_2)) / denominator;
-  gradient[4] = (-omega1_2 * p + Scalar(2.0) * omega1 * omega2 * q + omega2_2 * q) / denominator;  // by b3
-  gradient[5] = (-omega1_2 * b3) / denominator;  // by p
-  gradient[7] = (-Scalar(3.0) * omega1 * omega2 * q) / denominator;  // by b5
-  // by q
-  gradient[8] = (Scalar(2.0) * omega1 * omega2 * b3 - Scalar(3.0) * omega1 * omega2 * b5
-      + omega2_2 * b3) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_conjA_x_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 40 operations.
-template <class Scalar>
-void lump_gradient_48(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(32.0) * omega1_5 + Scalar(64.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (Scalar(6.0) * b1 * q - Scalar(2.0) * b3 * q - lump * (Scalar(160.0) * omega1_4
-      + Scalar(256.0) * omega1_3 * omega2 + Scalar(96.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(3.0) * b1 * q - lump * (Scalar(64.0) * omega1_4
-      + Scalar(64.0) * omega1_3 * omega2)) / denominator;
-  gradient[3] = (Scalar(6.0) * omega1 * q + Scalar(3.0) * omega2 * q) / denominator;  // by b1
-  gradient[4] = (-Scalar(2.0) * omega1 * q) / denominator;  // by b3
-  // by q
-  gradient[8] = (Scalar(6.0) * omega1 * b1 - Scalar(2.0) * omega1 * b3 + Scalar(3.0) * omega2 * b1) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_A_y2_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 89 operations.
-template <class Scalar>
-void lump_gradient_49(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega1_6 = omega1_5 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(8.0) * omega1_6 * omega2 + Scalar(8.0) * omega1_5 * omega2_2
-      - Scalar(8.0) * omega1_4 * omega2_3 - Scalar(8.0) * omega1_3 * omega2_4;
-  // by omega1
-  gradient[0] = (Scalar(3.0) * omega1_2 * b3_2 - Scalar(9.0) * omega1_2 * b3 * b5
-      - Scalar(10.0) * omega1 * omega2 * b3_2 + Scalar(12.0) * omega1 * omega2 * b3 * b5
-      + Scalar(2.0) * omega2_2 * b3_2 - lump * (Scalar(48.0) * omega1_5 * omega2
-      + Scalar(40.0) * omega1_4 * omega2_2 - Scalar(32.0) * omega1_3 * omega2_3
-      - Scalar(24.0) * omega1_2 * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(5.0) * omega1_2 * b3_2 + Scalar(6.0) * omega1_2 * b3 * b5
-      + Scalar(4.0) * omega1 * omega2 * b3_2 + Scalar(6.0) * omega2_2 * b3_2 - lump * (Scalar(8.0) * omega1_6
-      + Scalar(16.0) * omega1_5 * omega2 - Scalar(24.0) * omega1_4 * omega2_2
-      - Scalar(32.0) * omega1_3 * omega2_3)) / denominator;
-  // by b3
-  gradient[4] = (Scalar(2.0) * omega1_3 * b3 - Scalar(3.0) * omega1_3 * b5 - Scalar(10.0) * omega1_2 * omega2 * b3
-      + Scalar(6.0) * omega1_2 * omega2 * b5 + Scalar(4.0) * omega1 * omega2_2 * b3
-      + Scalar(4.0) * omega2_3 * b3) / denominator;
-  gradient[7] = (-Scalar(3.0) * omega1_3 * b3 + Scalar(6.0) * omega1_2 * omega2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x3_A_y_conjA_x / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 51 operations.
-template <class Scalar>
-void lump_gradient_50(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(16.0) * omega1_5 * omega2 + Scalar(32.0) * omega1_4 * omega2_2
-      + Scalar(16.0) * omega1_3 * omega2_3;
-  // by omega1
-  gradient[0] = (-Scalar(8.0) * omega1 * b3_2 - Scalar(11.0) * omega2 * b1 * b3
-      - lump * (Scalar(80.0) * omega1_4 * omega2 + Scalar(128.0) * omega1_3 * omega2_2
-      + Scalar(48.0) * omega1_2 * omega2_3)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(11.0) * omega1 * b1 * b3 - Scalar(10.0) * omega2 * b1 * b3
-      - lump * (Scalar(16.0) * omega1_5 + Scalar(64.0) * omega1_4 * omega2
-      + Scalar(48.0) * omega1_3 * omega2_2)) / denominator;
-  gradient[3] = (-Scalar(11.0) * omega1 * omega2 * b3 - Scalar(5.0) * omega2_2 * b3) / denominator;  // by b1
-  // by b3
-  gradient[4] = (-Scalar(8.0) * omega1_2 * b3 - Scalar(11.0) * omega1 * omega2 * b1
-      - Scalar(5.0) * omega2_2 * b1) / denominator;
-}
-
-/// gradient[p] = d harmonic_re_y_A_y3_conjA_x2 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_51(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(32.0) * omega1_4 * omega2_2 - Scalar(128.0) * omega1_3 * omega2_3
-      + Scalar(160.0) * omega1_2 * omega2_4 - Scalar(64.0) * omega1 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(2.0) * omega1 * b3 * b5 - Scalar(4.0) * omega2 * b3_2 - omega2 * b3 * b5
-      - lump * (Scalar(128.0) * omega1_3 * omega2_2 - Scalar(384.0) * omega1_2 * omega2_3
-      + Scalar(320.0) * omega1 * omega2_4 - Scalar(64.0) * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(4.0) * omega1 * b3_2 - omega1 * b3 * b5 + Scalar(12.0) * omega2 * b3 * b5
-      - lump * (Scalar(64.0) * omega1_4 * omega2 - Scalar(384.0) * omega1_3 * omega2_2
-      + Scalar(640.0) * omega1_2 * omega2_3 - Scalar(320.0) * omega1 * omega2_4)) / denominator;
-  // by b3
-  gradient[4] = (omega1_2 * b5 - Scalar(8.0) * omega1 * omega2 * b3 - omega1 * omega2 * b5
-      + Scalar(6.0) * omega2_2 * b5) / denominator;
-  gradient[7] = (omega1_2 * b3 - omega1 * omega2 * b3 + Scalar(6.0) * omega2_2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x_A_y2_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 49 operations.
-template <class Scalar>
-void lump_gradient_52(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar p = parameters[5];
-  const Scalar b5 = parameters[7];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar denominator = Scalar(32.0) * omega1_4 * omega2 + Scalar(128.0) * omega1_3 * omega2_2
-      + Scalar(160.0) * omega1_2 * omega2_3 + Scalar(64.0) * omega1 * omega2_4;
-  // by omega1
-  gradient[0] = (-Scalar(2.0) * b3 * p - b3 * q - lump * (Scalar(128.0) * omega1_3 * omega2
-      + Scalar(384.0) * omega1_2 * omega2_2 + Scalar(320.0) * omega1 * omega2_3
-      + Scalar(64.0) * omega2_4)) / denominator;
-  // by omega2
-  gradient[1] = (-Scalar(3.0) * b5 * q - lump * (Scalar(32.0) * omega1_4 + Scalar(256.0) * omega1_3 * omega2
-      + Scalar(480.0) * omega1_2 * omega2_2 + Scalar(256.0) * omega1 * omega2_3)) / denominator;
-  gradient[4] = (-Scalar(2.0) * omega1 * p - omega1 * q) / denominator;  // by b3
-  gradient[5] = (-Scalar(2.0) * omega1 * b3) / denominator;  // by p
-  gradient[7] = (-Scalar(3.0) * omega2 * q) / denominator;  // by b5
-  gradient[8] = (-omega1 * b3 - Scalar(3.0) * omega2 * b5) / denominator;  // by q
-}
-
-/// gradient[p] = d harmonic_re_y_A_x2_A_y3 / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 68 operations.
-template <class Scalar>
-void lump_gradient_53(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b3 = parameters[4];
-  const Scalar b5 = parameters[7];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(32.0) * omega1_4 * omega2_2 + Scalar(128.0) * omega1_3 * omega2_3
-      + Scalar(160.0) * omega1_2 * omega2_4 + Scalar(64.0) * omega1 * omega2_5;
-  // by omega1
-  gradient[0] = (Scalar(2.0) * omega1 * b3 * b5 + Scalar(4.0) * omega2 * b3_2 + omega2 * b3 * b5
-      - lump * (Scalar(128.0) * omega1_3 * omega2_2 + Scalar(384.0) * omega1_2 * omega2_3
-      + Scalar(320.0) * omega1 * omega2_4 + Scalar(64.0) * omega2_5)) / denominator;
-  // by omega2
-  gradient[1] = (Scalar(4.0) * omega1 * b3_2 + omega1 * b3 * b5 + Scalar(12.0) * omega2 * b3 * b5
-      - lump * (Scalar(64.0) * omega1_4 * omega2 + Scalar(384.0) * omega1_3 * omega2_2
-      + Scalar(640.0) * omega1_2 * omega2_3 + Scalar(320.0) * omega1 * omega2_4)) / denominator;
-  // by b3
-  gradient[4] = (omega1_2 * b5 + Scalar(8.0) * omega1 * omega2 * b3 + omega1 * omega2 * b5
-      + Scalar(6.0) * omega2_2 * b5) / denominator;
-  gradient[7] = (omega1_2 * b3 + omega1 * omega2 * b3 + Scalar(6.0) * omega2_2 * b3) / denominator;  // by b5
-}
-
-/// gradient[p] = d harmonic_re_y_A_x3_F / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 34 operations.
-template <class Scalar>
-void lump_gradient_54(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar q = parameters[8];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar denominator = Scalar(256.0) * omega1_5 + Scalar(384.0) * omega1_4 * omega2
-      + Scalar(128.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (-b1 * q - Scalar(2.0) * b3 * q - lump * (Scalar(1280.0) * omega1_4
-      + Scalar(1536.0) * omega1_3 * omega2 + Scalar(384.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-b1 * q - lump * (Scalar(384.0) * omega1_4 + Scalar(256.0) * omega1_3 * omega2)) / denominator;
-  gradient[3] = (-omega1 * q - omega2 * q) / denominator;  // by b1
-  gradient[4] = (-Scalar(2.0) * omega1 * q) / denominator;  // by b3
-  gradient[8] = (-omega1 * b1 - Scalar(2.0) * omega1 * b3 - omega2 * b1) / denominator;  // by q
-}
-
-/// gradient[p] = d harmonic_re_y_A_x4_A_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 30 operations.
-template <class Scalar>
-void lump_gradient_55(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(64.0) * omega1_5 + Scalar(96.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (b1 * b3 + b3_2 - lump * (Scalar(320.0) * omega1_4 + Scalar(384.0) * omega1_3 * omega2
-      + Scalar(96.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (b1 * b3 - lump * (Scalar(96.0) * omega1_4 + Scalar(64.0) * omega1_3 * omega2)) / denominator;
-  gradient[3] = (omega1 * b3 + omega2 * b3) / denominator;  // by b1
-  gradient[4] = (omega1 * b1 + Scalar(2.0) * omega1 * b3 + omega2 * b1) / denominator;  // by b3
-}
-
-/// gradient[p] = d harmonic_re_y_A_x4_conjA_y / d parameters[p] = (dN/dp - N/D dD/dp)/D of this lump N/D.
-/// 30 operations.
-template <class Scalar>
-void lump_gradient_56(const Scalar* parameters, [[maybe_unused]] Scalar lump, Scalar* gradient) {
-  const Scalar omega1 = parameters[0];
-  const Scalar omega2 = parameters[1];
-  const Scalar b1 = parameters[3];
-  const Scalar b3 = parameters[4];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar b3_2 = b3 * b3;
-  const Scalar denominator = Scalar(64.0) * omega1_5 - Scalar(96.0) * omega1_4 * omega2
-      + Scalar(32.0) * omega1_3 * omega2_2;
-  // by omega1
-  gradient[0] = (b1 * b3 + b3_2 - lump * (Scalar(320.0) * omega1_4 - Scalar(384.0) * omega1_3 * omega2
-      + Scalar(96.0) * omega1_2 * omega2_2)) / denominator;
-  // by omega2
-  gradient[1] = (-b1 * b3 - lump * (-Scalar(96.0) * omega1_4 + Scalar(64.0) * omega1_3 * omega2)) / denominator;
-  gradient[3] = (omega1 * b3 - omega2 * b3) / denominator;  // by b1
-  gradient[4] = (omega1 * b1 + Scalar(2.0) * omega1 * b3 - omega2 * b1) / denominator;  // by b3
+  lumps[25] = lump_8(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_y_conjA_x_conjA_y_F
+  lumps[26] = lump_9(parameters, static_cast<Scalar*>(nullptr));  // conservative_y_A_x_conjA_x2_F
+  lumps[27] = lump_10(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y_conjA_x2_F
+  lumps[28] = lump_11(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y3_F
+  lumps[29] = lump_12(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y3_conjA_x_conjA_y
+  lumps[30] = lump_13(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y2_conjA_x2
+  lumps[31] = lump_14(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_y_F
+  lumps[32] = lump_15(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y_conjA_x_F
+  lumps[33] = lump_16(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y3_conjA_y
+  lumps[34] = lump_17(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x2_A_y2_conjA_x
+  lumps[35] = lump_18(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x2_conjA_y_F
+  lumps[36] = lump_19(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x3_A_y_conjA_y
+  lumps[37] = lump_20(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y2_conjA_x3
+  lumps[38] = lump_21(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_y4_conjA_x
+  lumps[39] = lump_22(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x_A_y4
+  lumps[40] = lump_23(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x2_A_y_F
+  lumps[41] = lump_24(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_x_A_x3_A_y2
+  lumps[42] = lump_25(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_conjA_x3_F
+  lumps[43] = lump_26(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y2_conjA_x2_conjA_y
+  lumps[44] = lump_27(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y_conjA_x3
+  lumps[45] = lump_28(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y2_conjA_x_F
+  lumps[46] = lump_29(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y3_conjA_x
+  lumps[47] = lump_30(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y_conjA_y_F
+  lumps[48] = lump_31(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_conjA_x_F
+  lumps[49] = lump_32(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_A_y2_conjA_y
+  lumps[50] = lump_33(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x3_A_y_conjA_x
+  lumps[51] = lump_34(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_y3_conjA_x2
+  lumps[52] = lump_35(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x_A_y2_F
+  lumps[53] = lump_36(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x2_A_y3
+  lumps[54] = lump_37(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x3_F
+  lumps[55] = lump_38(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x4_A_y
+  lumps[56] = lump_39(parameters, static_cast<Scalar*>(nullptr));  // harmonic_re_y_A_x4_conjA_y
 }
 
 /// jacobian[l * 9 + p] = d lumps[l] / d parameters[p]. 70 operations.
@@ -2146,24 +1995,22 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   const Scalar b1_2 = b1 * b1;
   const Scalar mu2_2 = mu2 * mu2;
   const Scalar b5_2 = b5 * b5;
-  Scalar lumps[57];
-  evaluate_lumps(parameters, lumps);
   for (std::size_t i = 0; i < 513; ++i) jacobian[i] = Scalar(0.0);
-  lump_gradient_0(parameters, lumps[0], jacobian + 0);  // d conservative_x_A_x2_A_y_F
+  lump_0(parameters, jacobian + 0);  // d conservative_x_A_x2_A_y_F
   jacobian[11] = Scalar(1.0);  // d mu1 / d mu1
   jacobian[18] = mu1_2 / (Scalar(2.0) * omega1_2);  // d conservative_x_A_x / d omega1
   jacobian[20] = -mu1 / omega1;  // d conservative_x_A_x / d mu1
-  lump_gradient_3(parameters, lumps[3], jacobian + 27);  // d conservative_x_A_x_F2
+  lump_1(parameters, jacobian + 27);  // d conservative_x_A_x_F2
   jacobian[36] = -Scalar(2.0) * b3 * mu2 / omega1_3;  // d dissipative_x_A_x_A_y_conjA_y / d omega1
   jacobian[40] = mu2 / omega1_2;  // d dissipative_x_A_x_A_y_conjA_y / d b3
   jacobian[42] = b3 / omega1_2;  // d dissipative_x_A_x_A_y_conjA_y / d mu2
   jacobian[49] = Scalar(1.0);  // d b3 / d b3
-  lump_gradient_6(parameters, lumps[6], jacobian + 54);  // d conservative_x_A_x_A_y2_conjA_y2
+  lump_2(parameters, jacobian + 54);  // d conservative_x_A_x_A_y2_conjA_y2
   jacobian[63] = -Scalar(3.0) * mu1 * b1 / omega1_3;  // d dissipative_x_A_x2_conjA_x / d omega1
   jacobian[65] = Scalar(3.0) * b1 / (Scalar(2.0) * omega1_2);  // d dissipative_x_A_x2_conjA_x / d mu1
   jacobian[66] = Scalar(3.0) * mu1 / (Scalar(2.0) * omega1_2);  // d dissipative_x_A_x2_conjA_x / d b1
   jacobian[75] = Scalar(1.0);  // d b1 / d b1
-  lump_gradient_9(parameters, lumps[9], jacobian + 81);  // d conservative_x_A_x2_A_y_conjA_x_conjA_y
+  lump_3(parameters, jacobian + 81);  // d conservative_x_A_x2_A_y_conjA_x_conjA_y
   jacobian[90] = Scalar(45.0) * b1_2 / (Scalar(16.0) * omega1_4);  // d conservative_x_A_x3_conjA_x2 / d omega1
   jacobian[93] = -Scalar(15.0) * b1 / (Scalar(8.0) * omega1_3);  // d conservative_x_A_x3_conjA_x2 / d b1
   jacobian[99] = (-mu1 * p + p * mu2) / (Scalar(4.0) * omega1_3);  // d dissipative_x_conjA_y_F / d omega1
@@ -2171,9 +2018,9 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[104] = (mu1 - mu2) / (Scalar(8.0) * omega1_2);  // d dissipative_x_conjA_y_F / d p
   jacobian[105] = -p / (Scalar(8.0) * omega1_2);  // d dissipative_x_conjA_y_F / d mu2
   jacobian[113] = Scalar(1.0);  // d p / d p
-  lump_gradient_13(parameters, lumps[13], jacobian + 117);  // d conservative_x_A_y_conjA_y2_F
-  lump_gradient_14(parameters, lumps[14], jacobian + 126);  // d conservative_x_A_x_conjA_x_conjA_y_F
-  lump_gradient_15(parameters, lumps[15], jacobian + 135);  // d conservative_y_A_x_A_y2_F
+  lump_4(parameters, jacobian + 117);  // d conservative_x_A_y_conjA_y2_F
+  lump_5(parameters, jacobian + 126);  // d conservative_x_A_x_conjA_x_conjA_y_F
+  lump_6(parameters, jacobian + 135);  // d conservative_y_A_x_A_y2_F
   jacobian[150] = Scalar(1.0);  // d mu2 / d mu2
   jacobian[154] = mu2_2 / (Scalar(2.0) * omega2_2);  // d conservative_y_A_y / d omega2
   jacobian[159] = -mu2 / omega2;  // d conservative_y_A_y / d mu2
@@ -2186,44 +2033,44 @@ void evaluate_lumps_jacobian([[maybe_unused]] const Scalar* parameters, [[maybe_
   jacobian[190] = -Scalar(2.0) * mu1 * b3 / omega2_3;  // d dissipative_y_A_x_A_y_conjA_x / d omega2
   jacobian[191] = b3 / omega2_2;  // d dissipative_y_A_x_A_y_conjA_x / d mu1
   jacobian[193] = mu1 / omega2_2;  // d dissipative_y_A_x_A_y_conjA_x / d b3
-  lump_gradient_22(parameters, lumps[22], jacobian + 198);  // d conservative_y_A_x_A_y2_conjA_x_conjA_y
+  lump_7(parameters, jacobian + 198);  // d conservative_y_A_x_A_y2_conjA_x_conjA_y
   jacobian[208] = (mu1 * q - mu2 * q) / (Scalar(4.0) * omega2_3);  // d dissipative_y_conjA_x_F / d omega2
   jacobian[209] = -q / (Scalar(8.0) * omega2_2);  // d dissipative_y_conjA_x_F / d mu1
   jacobian[213] = q / (Scalar(8.0) * omega2_2);  // d dissipative_y_conjA_x_F / d mu2
   jacobian[215] = (-mu1 + mu2) / (Scalar(8.0) * omega2_2);  // d dissipative_y_conjA_x_F / d q
   jacobian[224] = Scalar(1.0);  // d q / d q
-  lump_gradient_25(parameters, lumps[25], jacobian + 225);  // d conservative_y_A_y_conjA_x_conjA_y_F
-  lump_gradient_26(parameters, lumps[26], jacobian + 234);  // d conservative_y_A_x_conjA_x2_F
-  lump_gradient_27(parameters, lumps[27], jacobian + 243);  // d harmonic_re_x_A_y_conjA_x2_F
-  lump_gradient_28(parameters, lumps[28], jacobian + 252);  // d harmonic_re_x_A_y3_F
-  lump_gradient_29(parameters, lumps[29], jacobian + 261);  // d harmonic_re_x_A_y3_conjA_x_conjA_y
-  lump_gradient_30(parameters, lumps[30], jacobian + 270);  // d harmonic_re_x_A_x_A_y2_conjA_x2
-  lump_gradient_31(parameters, lumps[31], jacobian + 279);  // d harmonic_re_x_A_y2_conjA_y_F
-  lump_gradient_32(parameters, lumps[32], jacobian + 288);  // d harmonic_re_x_A_x_A_y_conjA_x_F
-  lump_gradient_33(parameters, lumps[33], jacobian + 297);  // d harmonic_re_x_A_x_A_y3_conjA_y
-  lump_gradient_34(parameters, lumps[34], jacobian + 306);  // d harmonic_re_x_A_x2_A_y2_conjA_x
-  lump_gradient_35(parameters, lumps[35], jacobian + 315);  // d harmonic_re_x_A_x2_conjA_y_F
-  lump_gradient_36(parameters, lumps[36], jacobian + 324);  // d harmonic_re_x_A_x3_A_y_conjA_y
-  lump_gradient_37(parameters, lumps[37], jacobian + 333);  // d harmonic_re_x_A_y2_conjA_x3
-  lump_gradient_38(parameters, lumps[38], jacobian + 342);  // d harmonic_re_x_A_y4_conjA_x
-  lump_gradient_39(parameters, lumps[39], jacobian + 351);  // d harmonic_re_x_A_x_A_y4
-  lump_gradient_40(parameters, lumps[40], jacobian + 360);  // d harmonic_re_x_A_x2_A_y_F
-  lump_gradient_41(parameters, lumps[41], jacobian + 369);  // d harmonic_re_x_A_x3_A_y2
-  lump_gradient_42(parameters, lumps[42], jacobian + 378);  // d harmonic_re_y_conjA_x3_F
-  lump_gradient_43(parameters, lumps[43], jacobian + 387);  // d harmonic_re_y_A_y2_conjA_x2_conjA_y
-  lump_gradient_44(parameters, lumps[44], jacobian + 396);  // d harmonic_re_y_A_x_A_y_conjA_x3
-  lump_gradient_45(parameters, lumps[45], jacobian + 405);  // d harmonic_re_y_A_y2_conjA_x_F
-  lump_gradient_46(parameters, lumps[46], jacobian + 414);  // d harmonic_re_y_A_x_A_y3_conjA_x
-  lump_gradient_47(parameters, lumps[47], jacobian + 423);  // d harmonic_re_y_A_x_A_y_conjA_y_F
-  lump_gradient_48(parameters, lumps[48], jacobian + 432);  // d harmonic_re_y_A_x2_conjA_x_F
-  lump_gradient_49(parameters, lumps[49], jacobian + 441);  // d harmonic_re_y_A_x2_A_y2_conjA_y
-  lump_gradient_50(parameters, lumps[50], jacobian + 450);  // d harmonic_re_y_A_x3_A_y_conjA_x
-  lump_gradient_51(parameters, lumps[51], jacobian + 459);  // d harmonic_re_y_A_y3_conjA_x2
-  lump_gradient_52(parameters, lumps[52], jacobian + 468);  // d harmonic_re_y_A_x_A_y2_F
-  lump_gradient_53(parameters, lumps[53], jacobian + 477);  // d harmonic_re_y_A_x2_A_y3
-  lump_gradient_54(parameters, lumps[54], jacobian + 486);  // d harmonic_re_y_A_x3_F
-  lump_gradient_55(parameters, lumps[55], jacobian + 495);  // d harmonic_re_y_A_x4_A_y
-  lump_gradient_56(parameters, lumps[56], jacobian + 504);  // d harmonic_re_y_A_x4_conjA_y
+  lump_8(parameters, jacobian + 225);  // d conservative_y_A_y_conjA_x_conjA_y_F
+  lump_9(parameters, jacobian + 234);  // d conservative_y_A_x_conjA_x2_F
+  lump_10(parameters, jacobian + 243);  // d harmonic_re_x_A_y_conjA_x2_F
+  lump_11(parameters, jacobian + 252);  // d harmonic_re_x_A_y3_F
+  lump_12(parameters, jacobian + 261);  // d harmonic_re_x_A_y3_conjA_x_conjA_y
+  lump_13(parameters, jacobian + 270);  // d harmonic_re_x_A_x_A_y2_conjA_x2
+  lump_14(parameters, jacobian + 279);  // d harmonic_re_x_A_y2_conjA_y_F
+  lump_15(parameters, jacobian + 288);  // d harmonic_re_x_A_x_A_y_conjA_x_F
+  lump_16(parameters, jacobian + 297);  // d harmonic_re_x_A_x_A_y3_conjA_y
+  lump_17(parameters, jacobian + 306);  // d harmonic_re_x_A_x2_A_y2_conjA_x
+  lump_18(parameters, jacobian + 315);  // d harmonic_re_x_A_x2_conjA_y_F
+  lump_19(parameters, jacobian + 324);  // d harmonic_re_x_A_x3_A_y_conjA_y
+  lump_20(parameters, jacobian + 333);  // d harmonic_re_x_A_y2_conjA_x3
+  lump_21(parameters, jacobian + 342);  // d harmonic_re_x_A_y4_conjA_x
+  lump_22(parameters, jacobian + 351);  // d harmonic_re_x_A_x_A_y4
+  lump_23(parameters, jacobian + 360);  // d harmonic_re_x_A_x2_A_y_F
+  lump_24(parameters, jacobian + 369);  // d harmonic_re_x_A_x3_A_y2
+  lump_25(parameters, jacobian + 378);  // d harmonic_re_y_conjA_x3_F
+  lump_26(parameters, jacobian + 387);  // d harmonic_re_y_A_y2_conjA_x2_conjA_y
+  lump_27(parameters, jacobian + 396);  // d harmonic_re_y_A_x_A_y_conjA_x3
+  lump_28(parameters, jacobian + 405);  // d harmonic_re_y_A_y2_conjA_x_F
+  lump_29(parameters, jacobian + 414);  // d harmonic_re_y_A_x_A_y3_conjA_x
+  lump_30(parameters, jacobian + 423);  // d harmonic_re_y_A_x_A_y_conjA_y_F
+  lump_31(parameters, jacobian + 432);  // d harmonic_re_y_A_x2_conjA_x_F
+  lump_32(parameters, jacobian + 441);  // d harmonic_re_y_A_x2_A_y2_conjA_y
+  lump_33(parameters, jacobian + 450);  // d harmonic_re_y_A_x3_A_y_conjA_x
+  lump_34(parameters, jacobian + 459);  // d harmonic_re_y_A_y3_conjA_x2
+  lump_35(parameters, jacobian + 468);  // d harmonic_re_y_A_x_A_y2_F
+  lump_36(parameters, jacobian + 477);  // d harmonic_re_y_A_x2_A_y3
+  lump_37(parameters, jacobian + 486);  // d harmonic_re_y_A_x3_F
+  lump_38(parameters, jacobian + 495);  // d harmonic_re_y_A_x4_A_y
+  lump_39(parameters, jacobian + 504);  // d harmonic_re_y_A_x4_conjA_y
 }
 
 /// What multiplies the 16 terms of the modulation of x: functions of the frequencies alone. 10 operations.
@@ -2347,12 +2194,11 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_5 = omega1_4 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
-  factor[0] = (Scalar(2.0) * omega1_2 + omega1 * omega2) / (omega1 * omega2 + Scalar(2.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(3.0) * omega1_2 - Scalar(2.0) * omega2_2);
+  factor[0] = (Scalar(2.0) * omega1_2 + omega1 * omega2) * per_0 / omega2;
   factor[1] = Scalar(1.0) / omega2;
-  factor[2] = (Scalar(2.0) * omega1_5 - Scalar(3.0) * omega1_3 * omega2_2) / (Scalar(3.0) * omega1_2 * omega2_3
-      - Scalar(2.0) * omega2_5);
+  factor[2] = (Scalar(2.0) * omega1_5 - Scalar(3.0) * omega1_3 * omega2_2) * per_1 / omega2_3;
   factor[3] = Scalar(1.0);
   factor[4] = -Scalar(1.0);
   factor[5] = Scalar(1.0);
@@ -2369,10 +2215,10 @@ void factors_1([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the modulation of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// (rate - i*omega2)*A_y = (2*omega1^2 + omega1*omega2)/(omega1*omega2 +
-/// 2*omega2^2)*i*conservative_x_A_x_F2*A_y*F^2 + 1/omega2*i*b3*A_x*conj(A_x)*A_y + (2*omega1^5 -
-/// 3*omega1^3*omega2^2)/(3*omega1^2*omega2^3 -
-/// 2*omega2^5)*i*conservative_x_A_x_A_y2_conjA_y2*A_x^2*conj(A_x)^2*A_y +
+/// (rate - i*omega2)*A_y = (2*omega1^2 + omega1*omega2)/(omega2*(omega1 +
+/// 2*omega2))*i*conservative_x_A_x_F2*A_y*F^2 + 1/omega2*i*b3*A_x*conj(A_x)*A_y + (2*omega1^5 -
+/// 3*omega1^3*omega2^2)/(omega2^3*(3*omega1^2 -
+/// 2*omega2^2))*i*conservative_x_A_x_A_y2_conjA_y2*A_x^2*conj(A_x)^2*A_y +
 /// i*conservative_y_A_x_A_y2_F*A_x*A_y^2*F - mu2*A_y + i*conservative_y_A_y*A_y +
 /// dissipative_y_A_y2_conjA_y*A_y^2*conj(A_y) + 3/(2*omega2)*i*b5*A_y^2*conj(A_y) +
 /// i*conservative_y_A_y3_conjA_y2*A_y^3*conj(A_y)^2 + dissipative_y_A_x_A_y_conjA_x*A_x*conj(A_x)*A_y +
@@ -2451,7 +2297,7 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 2, 1, 16>{mode}, columns);
 }
 
-/// What multiplies the 8 terms of the harmonic -omega1+2*omega2 of x: functions of the frequencies alone. 21
+/// What multiplies the 8 terms of the harmonic -omega1+2*omega2 of x: functions of the frequencies alone. 14
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
@@ -2461,11 +2307,10 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega1_3 = omega1_2 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  factor[0] = (omega1_3 - Scalar(2.0) * omega1_2 * omega2) / (Scalar(4.0) * omega1_2 * omega2_2
-      - Scalar(8.0) * omega1 * omega2_3 + Scalar(4.0) * omega2_4);
-  factor[1] = -Scalar(1.0) / (Scalar(4.0) * omega1 * omega2 - Scalar(4.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  factor[0] = (omega1_3 - Scalar(2.0) * omega1_2 * omega2) * per_0_2 / (Scalar(4.0) * omega2_2);
+  factor[1] = -per_0 / (Scalar(4.0) * omega2);
   factor[2] = Scalar(1.0);
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(1.0);
@@ -2475,9 +2320,9 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic -omega1+2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in x = (omega1^3 - 2*omega1^2*omega2)/(4*omega1^2*omega2^2 -
-/// 8*omega1*omega2^3 + 4*omega2^4)*i*dissipative_x_A_x_A_y_conjA_y*conj(A_x)*A_y^2 - 1/(4*omega1*omega2 -
-/// 4*omega2^2)*b3*conj(A_x)*A_y^2 + harmonic_re_x_A_y_conjA_x2_F*conj(A_x)^2*A_y*F +
+/// amplitude of exp(i*(-omega1 + 2*omega2)*t) in x = (omega1^3 - 2*omega1^2*omega2)/(4*omega2^2*(omega1 -
+/// omega2)^2)*i*dissipative_x_A_x_A_y_conjA_y*conj(A_x)*A_y^2 - 1/(4*omega2*(omega1 -
+/// omega2))*b3*conj(A_x)*A_y^2 + harmonic_re_x_A_y_conjA_x2_F*conj(A_x)^2*A_y*F +
 /// harmonic_re_x_A_y_conjA_x2_F*conj(A_x)^2*A_y*F + harmonic_re_x_A_y3_F*A_y^3*F + harmonic_re_x_A_y3_F*A_y^3*F
 /// + harmonic_re_x_A_y3_conjA_x_conjA_y*conj(A_x)*A_y^3*conj(A_y) +
 /// harmonic_re_x_A_x_A_y2_conjA_x2*A_x*conj(A_x)^2*A_y^2
@@ -2530,7 +2375,7 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 8>{mode}, columns);
 }
 
-/// What multiplies the 12 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 71
+/// What multiplies the 12 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 49
 /// operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
@@ -2542,19 +2387,17 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1_3 = omega1_2 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  factor[0] = -omega1_2 / (Scalar(2.0) * omega1 * omega2_2 + Scalar(2.0) * omega2_3);
-  factor[1] = (-omega1_3 - Scalar(2.0) * omega1_2 * omega2) / (Scalar(4.0) * omega1_2 * omega2_2
-      + Scalar(8.0) * omega1 * omega2_3 + Scalar(4.0) * omega2_4);
-  factor[2] = Scalar(1.0) / (Scalar(4.0) * omega1 * omega2 + Scalar(4.0) * omega2_2);
-  factor[3] = (-omega1_3 - Scalar(2.0) * omega1_2 * omega2) / (Scalar(2.0) * omega1_2 * omega2_2
-      + Scalar(4.0) * omega1 * omega2_3 + Scalar(2.0) * omega2_4);
-  factor[4] = -Scalar(1.0) / (Scalar(8.0) * omega1 * omega2 + Scalar(8.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = -omega1_2 * per_0 / (Scalar(2.0) * omega2_2);
+  factor[1] = (-omega1_3 - Scalar(2.0) * omega1_2 * omega2) * per_0_2 / (Scalar(4.0) * omega2_2);
+  factor[2] = per_0 / (Scalar(4.0) * omega2);
+  factor[3] = (-omega1_3 - Scalar(2.0) * omega1_2 * omega2) * per_0_2 / (Scalar(2.0) * omega2_2);
+  factor[4] = -per_0 / (Scalar(8.0) * omega2);
   factor[5] = (-omega1_2 - Scalar(3.0) * omega1 * omega2 + omega1 * Omega - Scalar(2.0) * omega2_2
-      + Scalar(2.0) * omega2 * Omega) / (Scalar(16.0) * omega1_2 * omega2_2 + Scalar(32.0) * omega1 * omega2_3
-      + Scalar(16.0) * omega2_4);
-  factor[6] = (omega1_3 - Scalar(3.0) * omega1 * omega2_2 + Scalar(2.0) * omega2_3) / (omega1_3
-      - Scalar(3.0) * omega1 * omega2_2 - Scalar(2.0) * omega2_3);
+      + Scalar(2.0) * omega2 * Omega) * per_0_2 / (Scalar(16.0) * omega2_2);
+  factor[6] = (omega1_3 - Scalar(3.0) * omega1 * omega2_2 + Scalar(2.0) * omega2_3) * per_0_2 * per_1;
   factor[7] = Scalar(1.0);
   factor[8] = Scalar(1.0);
   factor[9] = Scalar(1.0);
@@ -2563,16 +2406,16 @@ void factors_3([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic omega2+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega2 + Omega)*t) in x = -omega1^2/(2*omega1*omega2^2 +
-/// 2*omega2^3)*conservative_x_A_x_F2*conj(A_x)*F^2 + (-omega1^3 - 2*omega1^2*omega2)/(4*omega1^2*omega2^2 +
-/// 8*omega1*omega2^3 + 4*omega2^4)*i*dissipative_x_A_x_A_y_conjA_y*A_x*A_y^2 + 1/(4*omega1*omega2 +
-/// 4*omega2^2)*b3*A_x*A_y^2 + (-omega1^3 - 2*omega1^2*omega2)/(2*omega1^2*omega2^2 + 4*omega1*omega2^3 +
-/// 2*omega2^4)*i*dissipative_x_conjA_y_F*A_y*F - 1/(8*omega1*omega2 + 8*omega2^2)*p*A_y*F + (-omega1^2 -
-/// 3*omega1*omega2 + omega1*Omega - 2*omega2^2 + 2*omega2*Omega)/(16*omega1^2*omega2^2 + 32*omega1*omega2^3 +
-/// 16*omega2^4)*p*A_y*F + (omega1^3 - 3*omega1*omega2^2 + 2*omega2^3)/(omega1^3 - 3*omega1*omega2^2 -
-/// 2*omega2^3)*harmonic_re_x_A_y3_F*A_y^2*conj(A_y)*F + harmonic_re_x_A_y2_conjA_y_F*A_y^2*conj(A_y)*F +
-/// harmonic_re_x_A_x_A_y_conjA_x_F*A_x*conj(A_x)*A_y*F + harmonic_re_x_A_x_A_y_conjA_x_F*A_x*conj(A_x)*A_y*F +
-/// harmonic_re_x_A_x_A_y3_conjA_y*A_x*A_y^3*conj(A_y) + harmonic_re_x_A_x2_A_y2_conjA_x*A_x^2*conj(A_x)*A_y^2
+/// amplitude of exp(i*(omega2 + Omega)*t) in x = -omega1^2/(2*omega2^2*(omega1 +
+/// omega2))*conservative_x_A_x_F2*conj(A_x)*F^2 + (-omega1^3 - 2*omega1^2*omega2)/(4*omega2^2*(omega1 +
+/// omega2)^2)*i*dissipative_x_A_x_A_y_conjA_y*A_x*A_y^2 + 1/(4*omega2*(omega1 + omega2))*b3*A_x*A_y^2 +
+/// (-omega1^3 - 2*omega1^2*omega2)/(2*omega2^2*(omega1 + omega2)^2)*i*dissipative_x_conjA_y_F*A_y*F -
+/// 1/(8*omega2*(omega1 + omega2))*p*A_y*F + (-omega1^2 - 3*omega1*omega2 + omega1*Omega - 2*omega2^2 +
+/// 2*omega2*Omega)/(16*omega2^2*(omega1 + omega2)^2)*p*A_y*F + (omega1^3 - 3*omega1*omega2^2 +
+/// 2*omega2^3)/((omega1 + omega2)^2*(omega1 - 2*omega2))*harmonic_re_x_A_y3_F*A_y^2*conj(A_y)*F +
+/// harmonic_re_x_A_y2_conjA_y_F*A_y^2*conj(A_y)*F + harmonic_re_x_A_x_A_y_conjA_x_F*A_x*conj(A_x)*A_y*F +
+/// harmonic_re_x_A_x_A_y_conjA_x_F*A_x*conj(A_x)*A_y*F + harmonic_re_x_A_x_A_y3_conjA_y*A_x*A_y^3*conj(A_y) +
+/// harmonic_re_x_A_x2_A_y2_conjA_x*A_x^2*conj(A_x)*A_y^2
 /// 10 columns; per observation at most 60 products and sums of complex numbers.
 template <class Factors>
 void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -2819,26 +2662,24 @@ inline void column_slopes_7(const BatchArrays& data, [[maybe_unused]] std::size_
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 3 terms of the harmonic omega1+2*Omega of x: functions of the frequencies alone. 15
+/// What multiplies the 3 terms of the harmonic omega1+2*Omega of x: functions of the frequencies alone. 13
 /// operations.
 template <class Scalar>
 void factors_8([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = omega1 * omega2 / (Scalar(4.0) * omega1_3 + Scalar(14.0) * omega1_2 * omega2
-      + Scalar(14.0) * omega1 * omega2_2 + Scalar(4.0) * omega2_3);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (Scalar(2.0) * omega1 + omega2);
+  factor[0] = omega1 * omega2 * per_0 * per_1 * per_2 / Scalar(2.0);
   factor[1] = Scalar(1.0);
   factor[2] = Scalar(1.0);
 }
 
 /// Rows of the harmonic omega1+2*Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + 2*Omega)*t) in x = omega1*omega2/(4*omega1^3 + 14*omega1^2*omega2 +
-/// 14*omega1*omega2^2 + 4*omega2^3)*conservative_x_A_x_F2*A_x*F^2 + harmonic_re_x_A_x2_A_y_F*A_x^2*A_y*F +
+/// amplitude of exp(i*(omega1 + 2*Omega)*t) in x = omega1*omega2/(2*(omega1 + omega2)*(omega1 +
+/// 2*omega2)*(2*omega1 + omega2))*conservative_x_A_x_F2*A_x*F^2 + harmonic_re_x_A_x2_A_y_F*A_x^2*A_y*F +
 /// harmonic_re_x_A_x3_A_y2*A_x^3*A_y^2
 /// 3 columns; per observation at most 21 products and sums of complex numbers.
 template <class Factors>
@@ -2912,7 +2753,7 @@ inline void column_slopes_9(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_9(data, FactorSlopes<factors_9<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 8 terms of the harmonic -2*omega1+omega2 of y: functions of the frequencies alone. 29
+/// What multiplies the 8 terms of the harmonic -2*omega1+omega2 of y: functions of the frequencies alone. 23
 /// operations.
 template <class Scalar>
 void factors_10([[maybe_unused]] const Scalar* natural_frequency,
@@ -2920,15 +2761,14 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 - Scalar(4.0) * omega1 * omega2);
-  factor[1] = (Scalar(2.0) * omega1 * omega2_2 - omega2_3) / (Scalar(4.0) * omega1_4
-      - Scalar(8.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2);
-  factor[2] = (Scalar(4.0) * omega1 * omega2_2 - Scalar(2.0) * omega2_3) / (omega1_3
-      - Scalar(2.0) * omega1_2 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = per_0 / (Scalar(4.0) * omega1);
+  factor[1] = (Scalar(2.0) * omega1 * omega2_2 - omega2_3) * per_0_2 / (Scalar(4.0) * omega1_2);
+  factor[2] = (Scalar(4.0) * omega1 * omega2_2 - Scalar(2.0) * omega2_3) * per_1 / omega1_2;
   factor[3] = Scalar(1.0);
   factor[4] = Scalar(1.0);
   factor[5] = Scalar(1.0);
@@ -2937,10 +2777,10 @@ void factors_10([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic -2*omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-2*omega1 + omega2)*t) in y = 1/(4*omega1^2 - 4*omega1*omega2)*b3*conj(A_x)^2*A_y +
-/// (2*omega1*omega2^2 - omega2^3)/(4*omega1^4 - 8*omega1^3*omega2 +
-/// 4*omega1^2*omega2^2)*i*dissipative_y_A_x_A_y_conjA_x*conj(A_x)^2*A_y + (4*omega1*omega2^2 -
-/// 2*omega2^3)/(omega1^3 - 2*omega1^2*omega2)*harmonic_re_x_A_y3_F*conj(A_x)*A_y^2*F +
+/// amplitude of exp(i*(-2*omega1 + omega2)*t) in y = 1/(4*omega1*(omega1 - omega2))*b3*conj(A_x)^2*A_y +
+/// (2*omega1*omega2^2 - omega2^3)/(4*omega1^2*(omega1 -
+/// omega2)^2)*i*dissipative_y_A_x_A_y_conjA_x*conj(A_x)^2*A_y + (4*omega1*omega2^2 -
+/// 2*omega2^3)/(omega1^2*(omega1 - 2*omega2))*harmonic_re_x_A_y3_F*conj(A_x)*A_y^2*F +
 /// harmonic_re_y_conjA_x3_F*conj(A_x)^3*F + harmonic_re_y_conjA_x3_F*conj(A_x)^3*F +
 /// harmonic_re_y_A_y2_conjA_x2_conjA_y*conj(A_x)^2*A_y^2*conj(A_y) +
 /// harmonic_re_y_A_x_A_y_conjA_x3*A_x*conj(A_x)^3*A_y + harmonic_re_y_A_y2_conjA_x_F*conj(A_x)*A_y^2*F
@@ -3058,7 +2898,7 @@ inline void column_slopes_11(const BatchArrays& data, [[maybe_unused]] std::size
   rows_11(data, FactorSlopes<factors_11<DualNumber>, 2, 1, 6>{mode}, columns);
 }
 
-/// What multiplies the 12 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 83
+/// What multiplies the 12 terms of the harmonic omega1+Omega of y: functions of the frequencies alone. 61
 /// operations.
 template <class Scalar>
 void factors_12([[maybe_unused]] const Scalar* natural_frequency,
@@ -3068,26 +2908,23 @@ void factors_12([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega1_2 = omega1 * omega1;
   const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega1_4 = omega1_3 * omega1;
-  const Scalar omega1_5 = omega1_4 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
   const Scalar omega2_4 = omega2_3 * omega2;
   const Scalar omega2_5 = omega2_4 * omega2;
-  factor[0] = (-Scalar(2.0) * omega1 * omega2 - omega2_2) / (Scalar(2.0) * omega1_3
-      + Scalar(6.0) * omega1_2 * omega2 + Scalar(4.0) * omega1 * omega2_2);
-  factor[1] = Scalar(1.0) / (Scalar(4.0) * omega1_2 + Scalar(4.0) * omega1 * omega2);
-  factor[2] = (-Scalar(2.0) * omega1 * omega2_2 - omega2_3) / (Scalar(4.0) * omega1_4
-      + Scalar(8.0) * omega1_3 * omega2 + Scalar(4.0) * omega1_2 * omega2_2);
-  factor[3] = (-Scalar(2.0) * omega1 * omega2_2 - omega2_3) / (Scalar(2.0) * omega1_4
-      + Scalar(4.0) * omega1_3 * omega2 + Scalar(2.0) * omega1_2 * omega2_2);
-  factor[4] = -Scalar(1.0) / (Scalar(8.0) * omega1_2 + Scalar(8.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_0_2 = per_0 * per_0;
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - Scalar(2.0) * omega2);
+  factor[0] = (-Scalar(2.0) * omega1 * omega2 - omega2_2) * per_0 * per_1 / (Scalar(2.0) * omega1);
+  factor[1] = per_0 / (Scalar(4.0) * omega1);
+  factor[2] = (-Scalar(2.0) * omega1 * omega2_2 - omega2_3) * per_0_2 / (Scalar(4.0) * omega1_2);
+  factor[3] = (-Scalar(2.0) * omega1 * omega2_2 - omega2_3) * per_0_2 / (Scalar(2.0) * omega1_2);
+  factor[4] = -per_0 / (Scalar(8.0) * omega1);
   factor[5] = (-Scalar(2.0) * omega1_2 - Scalar(3.0) * omega1 * omega2 + Scalar(2.0) * omega1 * Omega - omega2_2
-      + omega2 * Omega) / (Scalar(16.0) * omega1_4 + Scalar(32.0) * omega1_3 * omega2
-      + Scalar(16.0) * omega1_2 * omega2_2);
+      + omega2 * Omega) * per_0_2 / (Scalar(16.0) * omega1_2);
   factor[6] = (Scalar(4.0) * omega1_3 * omega2_2 - Scalar(6.0) * omega1_2 * omega2_3
-      + Scalar(2.0) * omega2_5) / (omega1_5 - Scalar(3.0) * omega1_3 * omega2_2
-      - Scalar(2.0) * omega1_2 * omega2_3);
+      + Scalar(2.0) * omega2_5) * per_0_2 * per_2 / omega1_2;
   factor[7] = Scalar(1.0);
   factor[8] = Scalar(1.0);
   factor[9] = Scalar(1.0);
@@ -3096,18 +2933,16 @@ void factors_12([[maybe_unused]] const Scalar* natural_frequency,
 }
 
 /// Rows of the harmonic omega1+Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + Omega)*t) in y = (-2*omega1*omega2 - omega2^2)/(2*omega1^3 + 6*omega1^2*omega2 +
-/// 4*omega1*omega2^2)*conservative_x_A_x_F2*conj(A_y)*F^2 + 1/(4*omega1^2 + 4*omega1*omega2)*b3*A_x^2*A_y +
-/// (-2*omega1*omega2^2 - omega2^3)/(4*omega1^4 + 8*omega1^3*omega2 +
-/// 4*omega1^2*omega2^2)*i*dissipative_y_A_x_A_y_conjA_x*A_x^2*A_y + (-2*omega1*omega2^2 - omega2^3)/(2*omega1^4
-/// + 4*omega1^3*omega2 + 2*omega1^2*omega2^2)*i*dissipative_y_conjA_x_F*A_x*F - 1/(8*omega1^2 +
-/// 8*omega1*omega2)*q*A_x*F + (-2*omega1^2 - 3*omega1*omega2 + 2*omega1*Omega - omega2^2 +
-/// omega2*Omega)/(16*omega1^4 + 32*omega1^3*omega2 + 16*omega1^2*omega2^2)*q*A_x*F + (4*omega1^3*omega2^2 -
-/// 6*omega1^2*omega2^3 + 2*omega2^5)/(omega1^5 - 3*omega1^3*omega2^2 -
-/// 2*omega1^2*omega2^3)*harmonic_re_x_A_y3_F*A_x*A_y*conj(A_y)*F +
-/// harmonic_re_y_A_x_A_y_conjA_y_F*A_x*A_y*conj(A_y)*F + harmonic_re_y_A_x2_conjA_x_F*A_x^2*conj(A_x)*F +
-/// harmonic_re_y_A_x2_conjA_x_F*A_x^2*conj(A_x)*F + harmonic_re_y_A_x2_A_y2_conjA_y*A_x^2*A_y^2*conj(A_y) +
-/// harmonic_re_y_A_x3_A_y_conjA_x*A_x^3*conj(A_x)*A_y
+/// amplitude of exp(i*(omega1 + Omega)*t) in y = (-2*omega1*omega2 - omega2^2)/(2*omega1*(omega1 +
+/// omega2)*(omega1 + 2*omega2))*conservative_x_A_x_F2*conj(A_y)*F^2 + 1/(4*omega1*(omega1 +
+/// omega2))*b3*A_x^2*A_y + (-2*omega1*omega2^2 - omega2^3)/(4*omega1^2*(omega1 +
+/// omega2)^2)*i*dissipative_y_A_x_A_y_conjA_x*A_x^2*A_y + (-2*omega1*omega2^2 - omega2^3)/(2*omega1^2*(omega1 +
+/// omega2)^2)*i*dissipative_y_conjA_x_F*A_x*F - 1/(8*omega1*(omega1 + omega2))*q*A_x*F + (-2*omega1^2 -
+/// 3*omega1*omega2 + 2*omega1*Omega - omega2^2 + omega2*Omega)/(16*omega1^2*(omega1 + omega2)^2)*q*A_x*F +
+/// (4*omega1^3*omega2^2 - 6*omega1^2*omega2^3 + 2*omega2^5)/(omega1^2*(omega1 + omega2)^2*(omega1 -
+/// 2*omega2))*harmonic_re_x_A_y3_F*A_x*A_y*conj(A_y)*F + harmonic_re_y_A_x_A_y_conjA_y_F*A_x*A_y*conj(A_y)*F +
+/// harmonic_re_y_A_x2_conjA_x_F*A_x^2*conj(A_x)*F + harmonic_re_y_A_x2_conjA_x_F*A_x^2*conj(A_x)*F +
+/// harmonic_re_y_A_x2_A_y2_conjA_y*A_x^2*A_y^2*conj(A_y) + harmonic_re_y_A_x3_A_y_conjA_x*A_x^3*conj(A_x)*A_y
 /// 10 columns; per observation at most 60 products and sums of complex numbers.
 template <class Factors>
 void rows_12(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3205,7 +3040,7 @@ inline void column_slopes_13(const BatchArrays& data, [[maybe_unused]] std::size
     for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
-/// What multiplies the 3 terms of the harmonic omega2+2*Omega of y: functions of the frequencies alone. 14
+/// What multiplies the 3 terms of the harmonic omega2+2*Omega of y: functions of the frequencies alone. 10
 /// operations.
 template <class Scalar>
 void factors_14([[maybe_unused]] const Scalar* natural_frequency,
@@ -3213,18 +3048,17 @@ void factors_14([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega1_3 = omega1_2 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar omega2_3 = omega2_2 * omega2;
-  factor[0] = omega1_2 / (Scalar(2.0) * omega1_3 + Scalar(10.0) * omega1_2 * omega2
-      + Scalar(16.0) * omega1 * omega2_2 + Scalar(8.0) * omega2_3);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1_2 = per_1 * per_1;
+  factor[0] = omega1_2 * per_0 * per_1_2 / Scalar(2.0);
   factor[1] = Scalar(1.0);
   factor[2] = Scalar(1.0);
 }
 
 /// Rows of the harmonic omega2+2*Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega2 + 2*Omega)*t) in y = omega1^2/(2*omega1^3 + 10*omega1^2*omega2 +
-/// 16*omega1*omega2^2 + 8*omega2^3)*conservative_x_A_x_F2*A_y*F^2 + harmonic_re_y_A_x_A_y2_F*A_x*A_y^2*F +
+/// amplitude of exp(i*(omega2 + 2*Omega)*t) in y = omega1^2/(2*(omega1 + omega2)*(omega1 +
+/// 2*omega2)^2)*conservative_x_A_x_F2*A_y*F^2 + harmonic_re_y_A_x_A_y2_F*A_x*A_y^2*F +
 /// harmonic_re_y_A_x2_A_y3*A_x^2*A_y^3
 /// 3 columns; per observation at most 21 products and sums of complex numbers.
 template <class Factors>
@@ -3396,10 +3230,10 @@ inline void column_slopes_17(const BatchArrays& data, [[maybe_unused]] std::size
 /// 1/(4*omega1)*i*p*conj(A_y)*F + (-omega1 - omega2 + Omega)/(8*omega1^2)*i*p*conj(A_y)*F +
 /// i*conservative_x_A_y_conjA_y2_F*A_y*conj(A_y)^2*F +
 /// i*conservative_x_A_x_conjA_x_conjA_y_F*A_x*conj(A_x)*conj(A_y)*F with A = B in that frame
-/// dB_y/dt + i*(w_y - omega2)*B_y = (2*omega1^2 + omega1*omega2)/(omega1*omega2 +
-/// 2*omega2^2)*i*conservative_x_A_x_F2*A_y*F^2 + 1/omega2*i*b3*A_x*conj(A_x)*A_y + (2*omega1^5 -
-/// 3*omega1^3*omega2^2)/(3*omega1^2*omega2^3 -
-/// 2*omega2^5)*i*conservative_x_A_x_A_y2_conjA_y2*A_x^2*conj(A_x)^2*A_y +
+/// dB_y/dt + i*(w_y - omega2)*B_y = (2*omega1^2 + omega1*omega2)/(omega2*(omega1 +
+/// 2*omega2))*i*conservative_x_A_x_F2*A_y*F^2 + 1/omega2*i*b3*A_x*conj(A_x)*A_y + (2*omega1^5 -
+/// 3*omega1^3*omega2^2)/(omega2^3*(3*omega1^2 -
+/// 2*omega2^2))*i*conservative_x_A_x_A_y2_conjA_y2*A_x^2*conj(A_x)^2*A_y +
 /// i*conservative_y_A_x_A_y2_F*A_x*A_y^2*F - mu2*A_y + i*conservative_y_A_y*A_y +
 /// dissipative_y_A_y2_conjA_y*A_y^2*conj(A_y) + 3/(2*omega2)*i*b5*A_y^2*conj(A_y) +
 /// i*conservative_y_A_y3_conjA_y2*A_y^3*conj(A_y)^2 + dissipative_y_A_x_A_y_conjA_x*A_x*conj(A_x)*A_y +
@@ -3422,8 +3256,8 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
   const Scalar omega1_5 = omega1_4 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
+  const Scalar per_1 = Scalar(1.0) / (Scalar(3.0) * omega1_2 - Scalar(2.0) * omega2_2);
   Scalar lumps[57];
   evaluate_lumps(parameters, lumps);
   const Complex A_x = load_complex(amplitude, 0);
@@ -3448,16 +3282,15 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + times_i(lumps[10] * (norm_A_x * norm_A_x * A_x))
        + lumps[11] * (conj_A_y * F)
        + times_i(lumps[12] * (-Scalar(1.0) / (Scalar(4.0) * omega1)) * (conj_A_y * F))
-       + times_i(lumps[12] * ((-omega1 - omega2 + Omega) / (Scalar(8.0) * omega1_2)) * (conj_A_y * F))
+       + times_i(lumps[12] * (-omega1 - omega2 + Omega) / (Scalar(8.0) * omega1_2) * (conj_A_y * F))
        + times_i(lumps[13] * (norm_A_y * conj_A_y * F))
        + times_i(lumps[14] * (norm_A_x * conj_A_y * F))
        - times_i((-omega1 - omega2 + excitation_frequency[0]) * A_x));
-  store_complex(derivative, 1, times_i(lumps[3] * ((Scalar(2.0) * omega1_2 + omega1 * omega2) / (omega1 * omega2
-      + Scalar(2.0) * omega2_2)) * (A_y * norm_F))
+  store_complex(derivative, 1, times_i(lumps[3] * (Scalar(2.0) * omega1_2
+      + omega1 * omega2) * per_0 / omega2 * (A_y * norm_F))
        + times_i(lumps[5] * Scalar(1.0) / omega2 * (norm_A_x * A_y))
-       + times_i(lumps[6] * ((Scalar(2.0) * omega1_5
-      - Scalar(3.0) * omega1_3 * omega2_2) / (Scalar(3.0) * omega1_2 * omega2_3
-      - Scalar(2.0) * omega2_5)) * (norm_A_x * norm_A_x * A_y))
+       + times_i(lumps[6] * (Scalar(2.0) * omega1_5
+      - Scalar(3.0) * omega1_3 * omega2_2) * per_1 / omega2_3 * (norm_A_x * norm_A_x * A_y))
        + times_i(lumps[15] * (A_x * A_y * A_y * conj_F))
        + lumps[16] * (-Scalar(1.0)) * (A_y)
        + times_i(lumps[17] * (A_y))
@@ -3468,7 +3301,7 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
        + times_i(lumps[22] * (norm_A_x * norm_A_y * A_y))
        + lumps[23] * (conj_A_x * F)
        + times_i(lumps[24] * (-Scalar(1.0) / (Scalar(4.0) * omega2)) * (conj_A_x * F))
-       + times_i(lumps[24] * ((-omega1 - omega2 + Omega) / (Scalar(8.0) * omega2_2)) * (conj_A_x * F))
+       + times_i(lumps[24] * (-omega1 - omega2 + Omega) / (Scalar(8.0) * omega2_2) * (conj_A_x * F))
        + times_i(lumps[25] * (conj_A_x * norm_A_y * F))
        + times_i(lumps[26] * (norm_A_x * conj_A_x * F)));
 }
@@ -3476,7 +3309,7 @@ void modulation(const Scalar* parameters, [[maybe_unused]] const Scalar* excitat
 /// jacobian[i * 4 + j] = d f_i / d z_j of dz/dt = f(z), z = (Re B_0, Im B_0, Re B_1, ...): what `modulation`
 /// computes, in Cartesian amplitudes. With f = dB_k/dt as a function of B_j and conj(B_j), d/dRe(B_j) = d/dB_j +
 /// d/dconj(B_j) and d/dIm(B_j) = i*(d/dB_j - d/dconj(B_j)). Regular at zero amplitude; a term that has no
-/// derivative there counts as zero. 307 operations besides the lumps.
+/// derivative there counts as zero. 301 operations besides the lumps.
 template <class Scalar>
 void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar* excitation_frequency,
     [[maybe_unused]] const Scalar* amplitude, [[maybe_unused]] const Scalar* forcing,
@@ -3491,8 +3324,8 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
   const Scalar omega1_5 = omega1_4 * omega1;
   const Scalar omega2_2 = omega2 * omega2;
   const Scalar omega2_3 = omega2_2 * omega2;
-  const Scalar omega2_4 = omega2_3 * omega2;
-  const Scalar omega2_5 = omega2_4 * omega2;
+  const Scalar per_0 = Scalar(1.0) / (Scalar(3.0) * omega1_2 - Scalar(2.0) * omega2_2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + Scalar(2.0) * omega2);
   Scalar lumps[57];
   evaluate_lumps(parameters, lumps);
   const Complex A_x = load_complex(amplitude, 0);
@@ -3539,7 +3372,7 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
        + times_i(lumps[9] * (norm_A_x * A_x * A_y))
        + lumps[11] * (F)
        + times_i(lumps[12] * (-Scalar(1.0) / (Scalar(4.0) * omega1)) * (F))
-       + times_i(lumps[12] * ((-omega1 - omega2 + Omega) / (Scalar(8.0) * omega1_2)) * (F))
+       + times_i(lumps[12] * (-omega1 - omega2 + Omega) / (Scalar(8.0) * omega1_2) * (F))
        + times_i(lumps[13] * Scalar(2) * (norm_A_y * F))
        + times_i(lumps[14] * (norm_A_x * F));
   jacobian[2] = by_0_1.real + conj_by_0_1.real;
@@ -3547,34 +3380,31 @@ void modulation_jacobian(const Scalar* parameters, [[maybe_unused]] const Scalar
   jacobian[6] = by_0_1.imag + conj_by_0_1.imag;
   jacobian[7] = by_0_1.real - conj_by_0_1.real;
   const Complex by_1_0 = times_i(lumps[5] * Scalar(1.0) / omega2 * (conj_A_x * A_y))
-       + times_i(lumps[6] * ((Scalar(2.0) * omega1_5
-      - Scalar(3.0) * omega1_3 * omega2_2) / (Scalar(3.0) * omega1_2 * omega2_3
-      - Scalar(2.0) * omega2_5)) * Scalar(2) * (norm_A_x * conj_A_x * A_y))
+       + times_i(lumps[6] * (Scalar(2.0) * omega1_5
+      - Scalar(3.0) * omega1_3 * omega2_2) * per_0 / omega2_3 * Scalar(2) * (norm_A_x * conj_A_x * A_y))
        + times_i(lumps[15] * (A_y * A_y * conj_F))
        + lumps[21] * (conj_A_x * A_y)
        + times_i(lumps[22] * (conj_A_x * norm_A_y * A_y))
        + times_i(lumps[26] * (conj_A_x * conj_A_x * F));
   const Complex conj_by_1_0 = times_i(lumps[5] * Scalar(1.0) / omega2 * (A_x * A_y))
-       + times_i(lumps[6] * ((Scalar(2.0) * omega1_5
-      - Scalar(3.0) * omega1_3 * omega2_2) / (Scalar(3.0) * omega1_2 * omega2_3
-      - Scalar(2.0) * omega2_5)) * Scalar(2) * (norm_A_x * A_x * A_y))
+       + times_i(lumps[6] * (Scalar(2.0) * omega1_5
+      - Scalar(3.0) * omega1_3 * omega2_2) * per_0 / omega2_3 * Scalar(2) * (norm_A_x * A_x * A_y))
        + lumps[21] * (A_x * A_y)
        + times_i(lumps[22] * (A_x * norm_A_y * A_y))
        + lumps[23] * (F)
        + times_i(lumps[24] * (-Scalar(1.0) / (Scalar(4.0) * omega2)) * (F))
-       + times_i(lumps[24] * ((-omega1 - omega2 + Omega) / (Scalar(8.0) * omega2_2)) * (F))
+       + times_i(lumps[24] * (-omega1 - omega2 + Omega) / (Scalar(8.0) * omega2_2) * (F))
        + times_i(lumps[25] * (norm_A_y * F))
        + times_i(lumps[26] * Scalar(2) * (norm_A_x * F));
   jacobian[8] = by_1_0.real + conj_by_1_0.real;
   jacobian[9] = conj_by_1_0.imag - by_1_0.imag;
   jacobian[12] = by_1_0.imag + conj_by_1_0.imag;
   jacobian[13] = by_1_0.real - conj_by_1_0.real;
-  const Complex by_1_1 = times_i(Complex(lumps[3] * ((Scalar(2.0) * omega1_2 + omega1 * omega2) / (omega1 * omega2
-      + Scalar(2.0) * omega2_2)) * (norm_F)))
+  const Complex by_1_1 = times_i(Complex(lumps[3] * (Scalar(2.0) * omega1_2
+      + omega1 * omega2) * per_1 / omega2 * (norm_F)))
        + times_i(Complex(lumps[5] * Scalar(1.0) / omega2 * (norm_A_x)))
-       + times_i(Complex(lumps[6] * ((Scalar(2.0) * omega1_5
-      - Scalar(3.0) * omega1_3 * omega2_2) / (Scalar(3.0) * omega1_2 * omega2_3
-      - Scalar(2.0) * omega2_5)) * (norm_A_x * norm_A_x)))
+       + times_i(Complex(lumps[6] * (Scalar(2.0) * omega1_5
+      - Scalar(3.0) * omega1_3 * omega2_2) * per_0 / omega2_3 * (norm_A_x * norm_A_x)))
        + times_i(lumps[15] * Scalar(2) * (A_x * A_y * conj_F))
        + Complex(lumps[16] * (-Scalar(1.0)))
        + times_i(Complex(lumps[17]))
@@ -3746,7 +3576,7 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 2, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 17
+/// What multiplies the 2 terms of the harmonic omega2+Omega of x: functions of the frequencies alone. 12
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
@@ -3754,17 +3584,16 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(2.0) * omega1_2 - Scalar(2.0) * omega2_2 - Scalar(4.0) * omega2 * Omega
-      - Scalar(2.0) * Omega_2);
-  factor[1] = -Scalar(1.0) / (Scalar(4.0) * omega1 * omega2 - Scalar(4.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2 - Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - omega2);
+  factor[0] = per_0 * per_1 / Scalar(2.0);
+  factor[1] = -per_2 / (Scalar(4.0) * omega2);
 }
 
 /// Rows of the harmonic omega2+Omega of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega2 + Omega)*t) in x = 1/(2*omega1^2 - 2*omega2^2 - 4*omega2*Omega -
-/// 2*Omega^2)*p*A_y*F - 1/(4*omega1*omega2 - 4*omega2^2)*b3*conj(A_x)*A_y^2
+/// amplitude of exp(i*(omega2 + Omega)*t) in x = 1/(2*(omega1 + omega2 + Omega)*(omega1 - omega2 -
+/// Omega))*p*A_y*F - 1/(4*omega2*(omega1 - omega2))*b3*conj(A_x)*A_y^2
 /// 2 columns; per observation at most 8 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3801,19 +3630,19 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic omega1+2*omega2 of x: functions of the frequencies alone. 6
+/// What multiplies the 1 terms of the harmonic omega1+2*omega2 of x: functions of the frequencies alone. 4
 /// operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1 * omega2 + Scalar(4.0) * omega2_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  factor[0] = per_0 / (Scalar(4.0) * omega2);
 }
 
 /// Rows of the harmonic omega1+2*omega2 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + 2*omega2)*t) in x = 1/(4*omega1*omega2 + 4*omega2^2)*b3*A_x*A_y^2
+/// amplitude of exp(i*(omega1 + 2*omega2)*t) in x = 1/(4*omega2*(omega1 + omega2))*b3*A_x*A_y^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3843,45 +3672,7 @@ inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 2, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega1 of x: functions of the frequencies alone. 3 operations.
-template <class Scalar>
-void factors_4([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega1 = natural_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(1.0) / (Scalar(8.0) * omega1_2);
-}
-
-/// Rows of the harmonic 3*omega1 of x: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega1)*t) in x = 1/(8*omega1^2)*b1*A_x^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_x = load_complex(amplitude_0, i);
-    store_complex(column_0, i, factor[0] * (A_x * A_x * A_x));  // b1
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_4(const BatchArrays& data, double* const* columns) {
-  rows_4(data, FactorValues<factors_4<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_4(data, FactorSlopes<factors_4<DualNumber>, 2, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 2 terms of the harmonic -omega1+Omega of y: functions of the frequencies alone. 17
+/// What multiplies the 2 terms of the harmonic -omega1+Omega of y: functions of the frequencies alone. 12
 /// operations.
 template <class Scalar>
 void factors_5([[maybe_unused]] const Scalar* natural_frequency,
@@ -3889,17 +3680,16 @@ void factors_5([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 - Scalar(4.0) * omega1 * omega2);
-  factor[1] = -Scalar(1.0) / (Scalar(2.0) * omega1_2 - Scalar(4.0) * omega1 * Omega - Scalar(2.0) * omega2_2
-      + Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - omega2);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2 - Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - omega2 - Omega);
+  factor[0] = per_0 / (Scalar(4.0) * omega1);
+  factor[1] = -per_1 * per_2 / Scalar(2.0);
 }
 
 /// Rows of the harmonic -omega1+Omega of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(-omega1 + Omega)*t) in y = 1/(4*omega1^2 - 4*omega1*omega2)*b3*conj(A_x)^2*A_y -
-/// 1/(2*omega1^2 - 4*omega1*Omega - 2*omega2^2 + 2*Omega^2)*q*conj(A_x)*F
+/// amplitude of exp(i*(-omega1 + Omega)*t) in y = 1/(4*omega1*(omega1 - omega2))*b3*conj(A_x)^2*A_y -
+/// 1/(2*(omega1 + omega2 - Omega)*(omega1 - omega2 - Omega))*q*conj(A_x)*F
 /// 2 columns; per observation at most 8 products and sums of complex numbers.
 template <class Factors>
 void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -3936,57 +3726,19 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 3*omega2 of y: functions of the frequencies alone. 3 operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega2 = natural_frequency[1];
-  const Scalar omega2_2 = omega2 * omega2;
-  factor[0] = Scalar(1.0) / (Scalar(8.0) * omega2_2);
-}
-
-/// Rows of the harmonic 3*omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(3*omega2)*t) in y = 1/(8*omega2^2)*b5*A_y^3
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_1 = data.amplitude[1];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0], data.natural_frequency[1]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_y = load_complex(amplitude_1, i);
-    store_complex(column_0, i, factor[0] * (A_y * A_y * A_y));  // b5
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_6(data, FactorSlopes<factors_6<DualNumber>, 2, 1, 1>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 2*omega1+omega2 of y: functions of the frequencies alone. 6
+/// What multiplies the 1 terms of the harmonic 2*omega1+omega2 of y: functions of the frequencies alone. 4
 /// operations.
 template <class Scalar>
 void factors_7([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
-  const Scalar omega1_2 = omega1 * omega1;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega1_2 + Scalar(4.0) * omega1 * omega2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2);
+  factor[0] = per_0 / (Scalar(4.0) * omega1);
 }
 
 /// Rows of the harmonic 2*omega1+omega2 of y: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(2*omega1 + omega2)*t) in y = 1/(4*omega1^2 + 4*omega1*omega2)*b3*A_x^2*A_y
+/// amplitude of exp(i*(2*omega1 + omega2)*t) in y = 1/(4*omega1*(omega1 + omega2))*b3*A_x^2*A_y
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_7(const BatchArrays& data, Factors factors, double* const* columns) {

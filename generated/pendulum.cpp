@@ -90,7 +90,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "pendulum",
   .source = "Rigid pendulum; damping laws as in A. H. Nayfeh and D. T. Mook, Nonlinear Oscillations, section 3.3",
-  .fingerprint = "aee7dd2248566524",
+  .fingerprint = "d85d6c19f128eeb3",
   .coordinates = coordinates,
   .excitations = {},
   .excitation_frequencies = {},

@@ -122,7 +122,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "two_mass_lumps",
   .source = "S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (6.25)-(6.35)",
-  .fingerprint = "b7cc6311c1c59329",
+  .fingerprint = "4500730079e6e7c2",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

@@ -321,7 +321,7 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 2, 1, 5>{mode}, columns);
 }
 
-/// What multiplies the 3 terms of the harmonic omega2+Omega of v1: functions of the frequencies alone. 26
+/// What multiplies the 3 terms of the harmonic omega2+Omega of v1: functions of the frequencies alone. 15
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
@@ -329,20 +329,18 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = -Scalar(1.0) / (Scalar(16.0) * omega1 * Omega - Scalar(16.0) * Omega_2);
-  factor[1] = omega2 / (Scalar(2.0) * omega1_2 - Scalar(2.0) * omega2_2 - Scalar(4.0) * omega2 * Omega
-      - Scalar(2.0) * Omega_2);
-  factor[2] = Scalar(1.0) / (Scalar(2.0) * omega1_2 - Scalar(2.0) * omega2_2 - Scalar(4.0) * omega2 * Omega
-      - Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 - Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega1 + omega2 + Omega);
+  const Scalar per_2 = Scalar(1.0) / (omega1 - omega2 - Omega);
+  factor[0] = -per_0 / (Scalar(16.0) * Omega);
+  factor[1] = omega2 * per_1 * per_2 / Scalar(2.0);
+  factor[2] = per_1 * per_2 / Scalar(2.0);
 }
 
 /// Rows of the harmonic omega2+Omega of v1: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega2 + Omega)*t) in v1 = -1/(16*omega1*Omega - 16*Omega^2)*kappa*conj(A_v1)*F^2 +
-/// omega2/(2*omega1^2 - 2*omega2^2 - 4*omega2*Omega - 2*Omega^2)*i*q1*A_v2*F + 1/(2*omega1^2 - 2*omega2^2 -
-/// 4*omega2*Omega - 2*Omega^2)*p*A_v2*F
+/// amplitude of exp(i*(omega2 + Omega)*t) in v1 = -1/(16*Omega*(omega1 - Omega))*kappa*conj(A_v1)*F^2 +
+/// omega2/(2*(omega1 + omega2 + Omega)*(omega1 - omega2 - Omega))*i*q1*A_v2*F + 1/(2*(omega1 + omega2 +
+/// Omega)*(omega1 - omega2 - Omega))*p*A_v2*F
 /// 3 columns; per observation at most 11 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -381,19 +379,19 @@ inline void column_slopes_2(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_2(data, FactorSlopes<factors_2<DualNumber>, 2, 1, 3>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic omega1+2*Omega of v1: functions of the frequencies alone. 6
+/// What multiplies the 1 terms of the harmonic omega1+2*Omega of v1: functions of the frequencies alone. 4
 /// operations.
 template <class Scalar>
 void factors_3([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega1 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(16.0) * omega1 * Omega + Scalar(16.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + Omega);
+  factor[0] = per_0 / (Scalar(16.0) * Omega);
 }
 
 /// Rows of the harmonic omega1+2*Omega of v1: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + 2*Omega)*t) in v1 = 1/(16*omega1*Omega + 16*Omega^2)*kappa*A_v1*F^2
+/// amplitude of exp(i*(omega1 + 2*Omega)*t) in v1 = 1/(16*Omega*(omega1 + Omega))*kappa*A_v1*F^2
 /// 1 columns; per observation at most 5 products and sums of complex numbers.
 template <class Factors>
 void rows_3(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -507,7 +505,7 @@ inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_5(data, FactorSlopes<factors_5<DualNumber>, 2, 1, 2>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega1+Omega of v2: functions of the frequencies alone. 21
+/// What multiplies the 2 terms of the harmonic omega1+Omega of v2: functions of the frequencies alone. 11
 /// operations.
 template <class Scalar>
 void factors_6([[maybe_unused]] const Scalar* natural_frequency,
@@ -515,18 +513,15 @@ void factors_6([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega1 = natural_frequency[0];
   const Scalar omega2 = natural_frequency[1];
   const Scalar Omega = excitation_frequency[0];
-  const Scalar omega1_2 = omega1 * omega1;
-  const Scalar omega2_2 = omega2 * omega2;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = -Scalar(1.0) / (Scalar(2.0) * omega1_2 + Scalar(4.0) * omega1 * Omega - Scalar(2.0) * omega2_2
-      + Scalar(2.0) * Omega_2);
-  factor[1] = -omega1 / (Scalar(2.0) * omega1_2 + Scalar(4.0) * omega1 * Omega - Scalar(2.0) * omega2_2
-      + Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega1 + omega2 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega1 - omega2 + Omega);
+  factor[0] = -per_0 * per_1 / Scalar(2.0);
+  factor[1] = -omega1 * per_0 * per_1 / Scalar(2.0);
 }
 
 /// Rows of the harmonic omega1+Omega of v2: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega1 + Omega)*t) in v2 = -1/(2*omega1^2 + 4*omega1*Omega - 2*omega2^2 +
-/// 2*Omega^2)*p*A_v1*F - omega1/(2*omega1^2 + 4*omega1*Omega - 2*omega2^2 + 2*Omega^2)*i*q2*A_v1*F
+/// amplitude of exp(i*(omega1 + Omega)*t) in v2 = -1/(2*(omega1 + omega2 + Omega)*(omega1 - omega2 +
+/// Omega))*p*A_v1*F - omega1/(2*(omega1 + omega2 + Omega)*(omega1 - omega2 + Omega))*i*q2*A_v1*F
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
 void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {

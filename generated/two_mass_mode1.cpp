@@ -129,12 +129,12 @@ constexpr int case_1_block_6_lumps[] = {1};
 constexpr int case_1_block_6_phase[] = {9, 0};
 constexpr RegressorBlock case_1_blocks[] = {
   {BlockKind::modulation, "modulation of v", 0, 0, {}, case_1_block_0_lumps, column_function<free::columns_0, 1, 1, 4>, column_slope_function<free::column_slopes_0, 1, 1, 4>},
-  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_1_block_1_phase, case_1_block_1_lumps, column_function<free::columns_1, 1, 1, 1>, column_slope_function<free::column_slopes_1, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_1_block_1_phase, case_1_block_1_lumps, column_function<principal_parametric::columns_1, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_1, 1, 1, 1>},
   {BlockKind::harmonic, "harmonic 2*omega0 of v", 0, 1, case_1_block_2_phase, case_1_block_2_lumps, column_function<free::columns_2, 1, 1, 1>, column_slope_function<free::column_slopes_2, 1, 1, 1>},
   {BlockKind::harmonic, "harmonic 3*omega0 of v", 0, 2, case_1_block_3_phase, case_1_block_3_lumps, column_function<free::columns_3, 1, 1, 3>, column_slope_function<free::column_slopes_3, 1, 1, 3>},
-  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_1_block_4_phase, case_1_block_4_lumps, column_function<free::columns_4, 1, 1, 1>, column_slope_function<free::column_slopes_4, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_1_block_5_phase, case_1_block_5_lumps, column_function<free::columns_5, 1, 1, 1>, column_slope_function<free::column_slopes_5, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_1_block_6_phase, case_1_block_6_lumps, column_function<free::columns_6, 1, 1, 1>, column_slope_function<free::column_slopes_6, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_1_block_4_phase, case_1_block_4_lumps, column_function<principal_parametric::columns_4, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_4, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_1_block_5_phase, case_1_block_5_lumps, column_function<principal_parametric::columns_5, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_5, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_1_block_6_phase, case_1_block_6_lumps, column_function<principal_parametric::columns_6, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_6, 1, 1, 1>},
 };
 
 constexpr int case_2_relations[] = {-1, 1};
@@ -184,9 +184,9 @@ constexpr RegressorBlock case_2_blocks[] = {
   {BlockKind::harmonic, "harmonic 0 of v", 0, 1, case_2_block_1_phase, case_2_block_1_lumps, column_function<primary::columns_1, 1, 1, 2>, column_slope_function<primary::column_slopes_1, 1, 1, 2>},
   {BlockKind::harmonic, "harmonic omega0+Omega of v", 0, 1, case_2_block_2_phase, case_2_block_2_lumps, column_function<primary::columns_2, 1, 1, 2>, column_slope_function<primary::column_slopes_2, 1, 1, 2>},
   {BlockKind::harmonic, "harmonic omega0+2*Omega of v", 0, 2, case_2_block_3_phase, case_2_block_3_lumps, column_function<primary::columns_3, 1, 1, 5>, column_slope_function<primary::column_slopes_3, 1, 1, 5>},
-  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_2_block_4_phase, case_2_block_4_lumps, column_function<primary::columns_4, 1, 1, 1>, column_slope_function<primary::column_slopes_4, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_2_block_5_phase, case_2_block_5_lumps, column_function<primary::columns_5, 1, 1, 1>, column_slope_function<primary::column_slopes_5, 1, 1, 1>},
-  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_2_block_6_phase, case_2_block_6_lumps, column_function<primary::columns_6, 1, 1, 1>, column_slope_function<primary::column_slopes_6, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 5*omega0 of v", 0, 2, case_2_block_4_phase, case_2_block_4_lumps, column_function<principal_parametric::columns_4, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_4, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 7*omega0 of v", 0, 2, case_2_block_5_phase, case_2_block_5_lumps, column_function<principal_parametric::columns_5, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_5, 1, 1, 1>},
+  {BlockKind::harmonic, "harmonic 9*omega0 of v", 0, 2, case_2_block_6_phase, case_2_block_6_lumps, column_function<principal_parametric::columns_6, 1, 1, 1>, column_slope_function<principal_parametric::column_slopes_6, 1, 1, 1>},
 };
 
 constexpr CompiledCase cases[] = {
@@ -237,7 +237,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "two_mass_mode1",
   .source = "S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (5.1)-(5.5)",
-  .fingerprint = "2c4e72cf58299311",
+  .fingerprint = "a3346d9e677791b0",
   .coordinates = coordinates,
   .excitations = excitations,
   .excitation_frequencies = excitation_frequencies,

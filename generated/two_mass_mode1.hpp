@@ -344,20 +344,22 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic Omega of v: functions of the frequencies alone. 8 operations.
+/// What multiplies the 2 terms of the harmonic Omega of v: functions of the frequencies alone. 9 operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(2.0) * omega0_2 - Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (omega0 + Omega);
+  const Scalar per_1 = Scalar(1.0) / (omega0 - Omega);
+  factor[0] = per_0 * per_1 / Scalar(2.0);
   factor[1] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
 }
 
 /// Rows of the harmonic Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(Omega)*t) in v = 1/(2*omega0^2 - 2*Omega^2)*eta1*F + 1/(3*omega0^2)*alpha_q*A_v^2
+/// amplitude of exp(i*(Omega)*t) in v = 1/(2*(omega0 + Omega)*(omega0 - Omega))*eta1*F +
+/// 1/(3*omega0^2)*alpha_q*A_v^2
 /// 2 columns; per observation at most 4 products and sums of complex numbers.
 template <class Factors>
 void rows_2(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -773,45 +775,6 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 4>{mode}, columns);
 }
 
-/// What multiplies the 1 terms of the harmonic 0 of v: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_1([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar omega0 = natural_frequency[0];
-  const Scalar omega0_2 = omega0 * omega0;
-  factor[0] = -Scalar(2.0) / omega0_2;
-}
-
-/// Rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)
-/// 1 columns; per observation at most 1 products and sums of complex numbers.
-template <class Factors>
-void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = load_complex(amplitude_0, i);
-    const Scalar norm_A_v = norm_of(A_v);
-    store_complex(column_0, i, Complex(factor[0] * (norm_A_v)));  // alpha_0
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_1(const BatchArrays& data, double* const* columns) {
-  rows_1(data, FactorValues<factors_1<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 1>{mode}, columns);
-}
-
 /// What multiplies the 1 terms of the harmonic 2*omega0 of v: functions of the frequencies alone. 3 operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
@@ -896,129 +859,6 @@ inline void columns_3(const BatchArrays& data, double* const* columns) {
 inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 3>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 5*omega0 of v: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_4([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar pi = Scalar(std::numbers::pi);
-  factor[0] = -Scalar(2.0) / (Scalar(315.0) * pi);
-}
-
-/// Rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
-/// 1 columns; per observation at most 9 products and sums of complex numbers.
-template <class Factors>
-void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = load_complex(amplitude_0, i);
-    const Scalar abs_A_v = modulus_of(A_v);
-    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
-    const Complex unit_A_v = inverse_abs_A_v * A_v;
-    store_complex(column_0, i, times_i(factor[0] * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v)));  // mu2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_4(const BatchArrays& data, double* const* columns) {
-  rows_4(data, FactorValues<factors_4<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_5([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar pi = Scalar(std::numbers::pi);
-  factor[0] = -Scalar(1.0) / (Scalar(945.0) * pi);
-}
-
-/// Rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = load_complex(amplitude_0, i);
-    const Scalar abs_A_v = modulus_of(A_v);
-    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
-    const Complex unit_A_v = inverse_abs_A_v * A_v;
-    store_complex(column_0, i, times_i(factor[0] * (fixed_power<5>(unit_A_v) * A_v * A_v)));  // mu2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_5(const BatchArrays& data, double* const* columns) {
-  rows_5(data, FactorValues<factors_5<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar pi = Scalar(std::numbers::pi);
-  factor[0] = -Scalar(1.0) / (Scalar(3465.0) * pi);
-}
-
-/// Rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = load_complex(amplitude_0, i);
-    const Scalar abs_A_v = modulus_of(A_v);
-    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
-    const Complex unit_A_v = inverse_abs_A_v * A_v;
-    store_complex(column_0, i, times_i(factor[0] * (fixed_power<7>(unit_A_v) * A_v * A_v)));  // mu2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude
@@ -1272,22 +1112,22 @@ inline void column_slopes_0(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_0(data, FactorSlopes<factors_0<DualNumber>, 1, 1, 9>{mode}, columns);
 }
 
-/// What multiplies the 3 terms of the harmonic 0 of v: functions of the frequencies alone. 13 operations.
+/// What multiplies the 3 terms of the harmonic 0 of v: functions of the frequencies alone. 9 operations.
 template <class Scalar>
 void factors_1([[maybe_unused]] const Scalar* natural_frequency,
     [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
-  factor[1] = Scalar(1.0) / (Scalar(4.0) * omega0 * Omega - Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 - Omega);
+  factor[0] = per_0 / (Scalar(2.0) * Omega);
+  factor[1] = per_0 / (Scalar(2.0) * Omega);
   factor[2] = -Scalar(2.0) / omega0_2;
 }
 
 /// Rows of the harmonic 0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(0)*t) in v = 1/(4*omega0*Omega - 2*Omega^2)*eta2*conj(A_v)*F + 1/(4*omega0*Omega -
-/// 2*Omega^2)*eta2*A_v*F - 2/omega0^2*alpha_0*A_v*conj(A_v)
+/// amplitude of exp(i*(0)*t) in v = 1/(2*Omega*(2*omega0 - Omega))*eta2*conj(A_v)*F + 1/(2*Omega*(2*omega0 -
+/// Omega))*eta2*A_v*F - 2/omega0^2*alpha_0*A_v*conj(A_v)
 /// 2 columns; per observation at most 8 products and sums of complex numbers.
 template <class Factors>
 void rows_1(const BatchArrays& data, Factors factors, double* const* columns) {
@@ -1324,7 +1164,7 @@ inline void column_slopes_1(const BatchArrays& data, [[maybe_unused]] std::size_
   rows_1(data, FactorSlopes<factors_1<DualNumber>, 1, 1, 3>{mode}, columns);
 }
 
-/// What multiplies the 2 terms of the harmonic omega0+Omega of v: functions of the frequencies alone. 9
+/// What multiplies the 2 terms of the harmonic omega0+Omega of v: functions of the frequencies alone. 8
 /// operations.
 template <class Scalar>
 void factors_2([[maybe_unused]] const Scalar* natural_frequency,
@@ -1332,13 +1172,13 @@ void factors_2([[maybe_unused]] const Scalar* natural_frequency,
   const Scalar omega0 = natural_frequency[0];
   const Scalar Omega = excitation_frequency[0];
   const Scalar omega0_2 = omega0 * omega0;
-  const Scalar Omega_2 = Omega * Omega;
-  factor[0] = -Scalar(1.0) / (Scalar(4.0) * omega0 * Omega + Scalar(2.0) * Omega_2);
+  const Scalar per_0 = Scalar(1.0) / (Scalar(2.0) * omega0 + Omega);
+  factor[0] = -per_0 / (Scalar(2.0) * Omega);
   factor[1] = Scalar(1.0) / (Scalar(3.0) * omega0_2);
 }
 
 /// Rows of the harmonic omega0+Omega of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(omega0 + Omega)*t) in v = -1/(4*omega0*Omega + 2*Omega^2)*eta2*A_v*F +
+/// amplitude of exp(i*(omega0 + Omega)*t) in v = -1/(2*Omega*(2*omega0 + Omega))*eta2*A_v*F +
 /// 1/(3*omega0^2)*alpha_q*A_v^2
 /// 2 columns; per observation at most 6 products and sums of complex numbers.
 template <class Factors>
@@ -1429,129 +1269,6 @@ inline void columns_3(const BatchArrays& data, double* const* columns) {
 inline void column_slopes_3(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
     double* const* columns) {
   rows_3(data, FactorSlopes<factors_3<DualNumber>, 1, 1, 5>{mode}, columns);
-}
-
-/// What multiplies the 1 terms of the harmonic 5*omega0 of v: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_4([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar pi = Scalar(std::numbers::pi);
-  factor[0] = -Scalar(2.0) / (Scalar(315.0) * pi);
-}
-
-/// Rows of the harmonic 5*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(5*omega0)*t) in v = -2/(315*Pi)*i*mu2*A_v^5*abs(A_v)^-3
-/// 1 columns; per observation at most 9 products and sums of complex numbers.
-template <class Factors>
-void rows_4(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = load_complex(amplitude_0, i);
-    const Scalar abs_A_v = modulus_of(A_v);
-    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
-    const Complex unit_A_v = inverse_abs_A_v * A_v;
-    store_complex(column_0, i, times_i(factor[0] * (unit_A_v * unit_A_v * unit_A_v * A_v * A_v)));  // mu2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_4(const BatchArrays& data, double* const* columns) {
-  rows_4(data, FactorValues<factors_4<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_4(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 7*omega0 of v: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_5([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar pi = Scalar(std::numbers::pi);
-  factor[0] = -Scalar(1.0) / (Scalar(945.0) * pi);
-}
-
-/// Rows of the harmonic 7*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(7*omega0)*t) in v = -1/(945*Pi)*i*mu2*A_v^7*abs(A_v)^-5
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_5(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = load_complex(amplitude_0, i);
-    const Scalar abs_A_v = modulus_of(A_v);
-    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
-    const Complex unit_A_v = inverse_abs_A_v * A_v;
-    store_complex(column_0, i, times_i(factor[0] * (fixed_power<5>(unit_A_v) * A_v * A_v)));  // mu2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_5(const BatchArrays& data, double* const* columns) {
-  rows_5(data, FactorValues<factors_5<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_5(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
-}
-
-/// What multiplies the 1 terms of the harmonic 9*omega0 of v: functions of the frequencies alone. 2 operations.
-template <class Scalar>
-void factors_6([[maybe_unused]] const Scalar* natural_frequency,
-    [[maybe_unused]] const Scalar* excitation_frequency, Scalar* factor) {
-  const Scalar pi = Scalar(std::numbers::pi);
-  factor[0] = -Scalar(1.0) / (Scalar(3465.0) * pi);
-}
-
-/// Rows of the harmonic 9*omega0 of v: target = sum of columns[j][i] * lump_j, with the factors above.
-/// amplitude of exp(i*(9*omega0)*t) in v = -1/(3465*Pi)*i*mu2*A_v^9*abs(A_v)^-7
-/// 1 columns; per observation at most 5 products and sums of complex numbers.
-template <class Factors>
-void rows_6(const BatchArrays& data, Factors factors, double* const* columns) {
-  using Scalar = double;
-  using Complex = ComplexNumber<double>;
-  const Scalar* __restrict amplitude_0 = data.amplitude[0];
-  Scalar* __restrict column_0 = columns[0];
-  Scalar factor[1];
-  const Scalar natural_frequency[] = {data.natural_frequency[0]};
-  factors(natural_frequency, nullptr, factor);
-  for (std::size_t i = 0; i < data.count; ++i) {
-    const Complex A_v = load_complex(amplitude_0, i);
-    const Scalar abs_A_v = modulus_of(A_v);
-    const Scalar inverse_abs_A_v = inverse_or_zero(abs_A_v);
-    const Complex unit_A_v = inverse_abs_A_v * A_v;
-    store_complex(column_0, i, times_i(factor[0] * (fixed_power<7>(unit_A_v) * A_v * A_v)));  // mu2
-  }
-}
-
-/// columns[j][i] of the rows.
-inline void columns_6(const BatchArrays& data, double* const* columns) {
-  rows_6(data, FactorValues<factors_6<double>>{}, columns);
-}
-
-/// columns[j][i] = d(column j)/d(natural frequency of `mode`).
-inline void column_slopes_6(const BatchArrays& data, [[maybe_unused]] std::size_t mode,
-    double* const* columns) {
-  for (std::size_t j = 0; j < 1; ++j)
-    for (std::size_t i = 0; i < 2 * data.count; ++i) columns[j][i] = 0;
 }
 
 /// dB/dt of every mode in the frame that rotates with its observed frequency; zero at a steady state. amplitude

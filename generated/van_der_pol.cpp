@@ -106,7 +106,7 @@ extern const CompiledModel model;
 const CompiledModel model = {
   .name = "van_der_pol",
   .source = "B. van der Pol, Philosophical Magazine 2, 978 (1926)",
-  .fingerprint = "b21618c490121297",
+  .fingerprint = "63ba806d60fd9151",
   .coordinates = coordinates,
   .excitations = {},
   .excitation_frequencies = {},

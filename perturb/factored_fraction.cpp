@@ -582,6 +582,52 @@ Polynomial FractionSums::expanded(const DivisorPowers& divisors, const std::vect
   return product;
 }
 
+// --- sums of fractions
+
+std::vector<FactoredFraction> FractionSums::parts(const FractionTerms& terms) {
+  std::map<DivisorPowers, FractionTerms> alike;
+  for (const FractionTerm& term : up_to_date(terms)) alike[term.divisors].push_back(term);
+  std::vector<FactoredFraction> result;
+  std::size_t apart = 0;
+  for (const auto& [divisors, group] : alike) {
+    FactoredFraction part = sum(group);
+    if (part.is_zero()) continue;
+    apart += part.numerator.size() + part.divisors.size();
+    result.push_back(std::move(part));
+  }
+  if (result.size() < 2) return result;
+  if (joining_work(result) > most_joined) return vanishes(terms) ? std::vector<FactoredFraction>{} : result;
+  FactoredFraction together = sum(terms);
+  if (together.is_zero()) return {};
+  if (together.numerator.size() + together.divisors.size() <= apart) return {std::move(together)};
+  return result;
+}
+
+// A bound on the terms of the products that one denominator takes: of each part and what it misses.
+std::size_t FractionSums::joining_work(const std::vector<FactoredFraction>& parts) const {
+  std::map<std::size_t, int> highest;
+  for (const FactoredFraction& part : parts)
+    for (const auto& [divisor, power] : part.divisors) highest[divisor] = std::max(highest[divisor], power);
+  std::size_t work = 0;
+  for (const FactoredFraction& part : parts) {
+    std::map<std::size_t, int> missing = highest;
+    for (const auto& [divisor, power] : part.divisors) missing[divisor] -= power;
+    std::size_t terms = part.numerator.size();
+    for (const auto& [divisor, power] : missing)
+      for (int n = 0; n < power && terms <= most_joined; ++n) terms *= divisors_[divisor].polynomial.size();
+    work += terms;
+    if (work > most_joined) break;
+  }
+  return work;
+}
+
+// Decided at a random point of the prime field.
+bool FractionSums::vanishes(const FractionTerms& terms) const {
+  std::vector<PrimeFieldComplex> values;
+  for (std::size_t s = 0; s < symbols_.size(); ++s) values.push_back(random_value("parts", s));
+  return FractionPoint(*this, std::move(values)).value(terms).is_zero();
+}
+
 // --- products
 
 FactoredFraction FractionSums::in_lowest_terms(FactoredFraction fraction) {

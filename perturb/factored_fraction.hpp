@@ -63,6 +63,12 @@ class FractionSums {
   std::optional<FractionTerms> terms(const GiNaC::ex& expression);
   /// The sum of real terms.
   FactoredFraction sum(const FractionTerms& terms);
+  /// The sum as one fraction in lowest terms where that takes no more terms and divisors to write than the sums of
+  /// terms with like divisors do, else as these; none if it is zero. One denominator is only tried up to
+  /// `most_joined`.
+  std::vector<FactoredFraction> parts(const FractionTerms& terms);
+  /// Products of numbers of terms up to which one denominator is tried: some milliseconds.
+  static constexpr std::size_t most_joined = 10'000;
   FactoredFraction product(const FactoredFraction& a, const FactoredFraction& b);
   /// above/below; throws std::domain_error for a division by zero.
   FactoredFraction quotient(const FactoredFraction& above, const FactoredFraction& below);
@@ -112,6 +118,8 @@ class FractionSums {
   GiNaC::ex expression(const Polynomial& polynomial, const std::vector<std::size_t>& variables) const;
   bool reduced(FactoredFraction& fraction, const DivisorPowers& by);
   bool separated(const DivisorPowers& divisors);
+  std::size_t joining_work(const std::vector<FactoredFraction>& parts) const;
+  bool vanishes(const FractionTerms& terms) const;
   std::optional<FactoredFraction> sum_if_apart(const FractionTerms& terms);
   FactoredFraction in_lowest_terms(FactoredFraction fraction);
   Common common_factor(std::size_t divisor, const Polynomial& other, const std::vector<std::size_t>& variables);

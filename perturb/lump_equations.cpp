@@ -35,7 +35,7 @@ class LumpFinder {
 
   struct Split {
     std::size_t lump;
-    FactoredFraction factor;
+    std::vector<FactoredFraction> factor;
   };
 
   // coefficient = factor(frequencies) * lump. Nothing if the only fitting lump would depend on an excitation
@@ -44,19 +44,20 @@ class LumpFinder {
     std::vector<std::size_t> present;
     for (std::size_t p = 0; p < parameters_.size(); ++p)
       if (sums_.has(coefficient, parameters_[p])) present.push_back(p);
-    if (present.empty()) return Split{use(candidate("one", read(1))), sums_.sum(coefficient)};
+    if (present.empty()) return Split{use(candidate("one", read(1))), sums_.parts(coefficient)};
+    if (auto split = product_times_sum(coefficient)) return split;
     Candidate whole = candidate(fallback_name, coefficient);
     if (present.size() == 1) {
       const std::string& name = model_.parameters[present.front()];
       Candidate single = candidate(name, read(model_.symbols.at(name)));
-      if (auto ratio = proportion(whole, single)) return Split{use(std::move(single)), std::move(*ratio)};
+      if (auto ratio = proportion(whole, single)) return Split{use(std::move(single)), {std::move(*ratio)}};
     }
     for (const std::vector<Candidate>* candidates : {&named_, &used_})
       for (const Candidate& other : *candidates)
-        if (auto ratio = proportion(whole, other)) return Split{use(other), std::move(*ratio)};
+        if (auto ratio = proportion(whole, other)) return Split{use(other), {std::move(*ratio)}};
     for (const Excitation& excitation : model_.excitations)
       if (sums_.has(coefficient, sums_.place(model_.symbols.at(excitation.frequency)))) return std::nullopt;
-    return Split{use(std::move(whole)), sums_.sum(read(1))};
+    return Split{use(std::move(whole)), {sums_.sum(read(1))}};
   }
 
   std::vector<Lump> lumps() const {
@@ -87,6 +88,34 @@ class LumpFinder {
   Candidate candidate(std::string name, FractionTerms definition) {
     const PrimeFieldComplex first = first_.value(definition), second = second_.value(definition);
     return {std::move(name), std::move(definition), first, second};
+  }
+
+  // A product of parameters times a sum of frequencies that takes several fractions to write: the product is the
+  // lump. Ratios of such sums would have one of them multiplied out as their denominator.
+  std::optional<Split> product_times_sum(const FractionTerms& coefficient) {
+    FractionTerms frequencies = coefficient;
+    const std::vector<int> powers = coefficient.front().powers;
+    FractionTerm product{1, 0, std::vector<int>(powers.size(), 0), {}};
+    std::string name = "product";
+    for (std::size_t p = 0; p < parameters_.size(); ++p) {
+      const std::size_t place = parameters_[p];
+      const int power = powers[place];
+      for (FractionTerm& term : frequencies)
+        if (std::exchange(term.powers[place], 0) != power) return std::nullopt;
+      product.powers[place] = power;
+      if (power == 0) continue;
+      name += "_" + model_.parameters[p];
+      if (power != 1) name += (power < 0 ? "m" : "") + std::to_string(std::abs(power));
+    }
+    if (std::any_of(parameters_.begin(), parameters_.end(),
+                    [&](std::size_t parameter) { return sums_.has(frequencies, parameter); }))
+      return std::nullopt;
+    std::vector<FactoredFraction> factor = sums_.parts(frequencies);
+    if (factor.size() < 2) return std::nullopt;
+    const bool single = std::accumulate(product.powers.begin(), product.powers.end(), 0) == 1 &&
+                        std::count(product.powers.begin(), product.powers.end(), 0) + 1 ==
+                            static_cast<std::ptrdiff_t>(product.powers.size());
+    return Split{use(candidate(single ? name.substr(8) : name, {product})), std::move(factor)};
   }
 
   // All symbols from draw 0, parameters from the one given.
@@ -243,12 +272,13 @@ bool append_terms(LumpEquation& block, LumpFinder& finder, const Derivation& d, 
       const std::string name =
           kind + d.model->modes[block.mode].coordinate + "_" + powers_name(key, d.layout, *d.model);
       for (const DetunedPart& detuned : without_detunings(d, std::move(part), sums)) {
-        const auto split = finder.split(detuned.coefficient, name + detuned.suffix);
+        auto split = finder.split(detuned.coefficient, name + detuned.suffix);
         if (!split) return false;
         auto column = std::find_if(block.columns.begin(), block.columns.end(),
                                    [&](const LumpEquation::Column& c) { return c.lump == split->lump; });
         if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split->lump, {}});
-        column->terms.push_back({sums.product(split->factor, detuned.detunings), imaginary, key});
+        for (FactoredFraction& factor : split->factor) factor = sums.product(factor, detuned.detunings);
+        column->terms.push_back({std::move(split->factor), imaginary, key});
       }
     }
   }

@@ -30,7 +30,7 @@ struct Lump {
 
 /// factor (frequencies and numbers only) * lump * (i if imaginary) * amplitude powers of `key`.
 struct ColumnTerm {
-  FactoredFraction factor;
+  std::vector<FactoredFraction> factor;  ///< a sum
   bool imaginary = false;
   FieldKey key;
 };
@@ -59,8 +59,9 @@ struct LumpEquations {
 
 /// Modulation blocks have Omega at its resonant value, so that lumps are the same for all data; harmonic blocks
 /// keep the actual Omega wherever the lumps stay free of it. Lumps are named by single parameters or the model's
-/// shorthands where they are proportional to one, otherwise after the term they multiply. Throws InputError where
-/// no autonomous frame exists. Factors of columns are fractions of `sums`, which are of all symbols of the model.
+/// shorthands where they are proportional to one, otherwise after the term they multiply; where that is one product
+/// of coefficients with several fractions of frequencies, after the product. Throws InputError where no autonomous
+/// frame exists. Factors of columns are fractions of `sums`, which are of all symbols of the model.
 LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept, FractionSums& sums);
 
 /// Turns a phase and its conjugate into the one that is listed: positive frequency at the nominal values or,

@@ -54,58 +54,80 @@ FractionTerms CanonicalForm::terms(const GiNaC::ex& expression) const {
 
 RationalFunction CanonicalForm::of(const GiNaC::ex& expression) const {
   const FractionTerms all = terms(expression);
-  if (!sums_.sum(imaginary_part(all)).is_zero()) throw std::logic_error("expression is not real");
-  return of(sums_.sum(real_part(all)));
+  if (!of(imaginary_part(all)).is_zero()) throw std::logic_error("expression is not real");
+  return of(real_part(all));
 }
 
 CanonicalForm::Parts CanonicalForm::parts(const GiNaC::ex& expression) const {
   const FractionTerms all = terms(expression);
-  return {of(sums_.sum(real_part(all))), of(sums_.sum(imaginary_part(all)))};
+  return {of(real_part(all)), of(imaginary_part(all))};
 }
 
-const std::vector<PolynomialTerm>& CanonicalForm::denominator(const std::vector<int>& powers,
-                                                              const DivisorPowers& divisors) const {
-  const auto [known, added] = denominators_.try_emplace({powers, divisors});
-  if (added) {
-    std::vector<std::size_t> variables;
-    for (const auto& [divisor, power] : divisors) variables = united(variables, sums_.variables(divisor));
-    known->second = listed(sums_.expanded(divisors, variables), variables, powers, 1);
+RationalFunction CanonicalForm::of(const FractionTerms& terms) const {
+  std::vector<bool> divides(size_, false);
+  for (const FractionTerm& term : terms)
+    for (const auto& [divisor, power] : term.divisors)
+      for (const std::size_t variable : sums_.variables(divisor)) divides[variable] = true;
+  std::map<std::vector<int>, FractionTerms> groups;
+  for (const FractionTerm& term : terms) {
+    std::vector<int> others(size_, 0);  // without any divisor, all together
+    if (std::find(divides.begin(), divides.end(), true) != divides.end())
+      for (std::size_t s = 0; s < size_; ++s)
+        if (!divides[s]) others[s] = term.powers[s];
+    groups[std::move(others)].push_back(term);
   }
+  std::vector<FactoredFraction> fractions;
+  for (const auto& [others, group] : groups)
+    for (FactoredFraction& part : sums_.parts(group)) fractions.push_back(std::move(part));
+  return of(fractions);
+}
+
+RationalFunction CanonicalForm::of(const std::vector<FactoredFraction>& parts) const {
+  std::vector<RationalFunction> fractions;
+  for (const FactoredFraction& part : parts) fractions.push_back(of(part));
+  if (fractions.empty()) return {{}, {{"1", std::vector<int>(size_, 0)}}};
+  return sum(fractions);
+}
+
+const DivisorPower& CanonicalForm::divisor(std::size_t number) const {
+  const auto [known, added] = divisors_.try_emplace(number);
+  if (added)
+    known->second = {std::make_shared<const std::vector<PolynomialTerm>>(
+                         listed(sums_.divisor(number), sums_.variables(number), std::vector<int>(size_, 0), 1)),
+                     1};
   return known->second;
 }
 
-// Multiplied out, with coprime integer coefficients: divisors are primitive and begin with a positive number, and
-// so do their products.
+// Over integers, powers of symbols and divisors; divisors that multiply are multiplied out.
 RationalFunction CanonicalForm::of(const FactoredFraction& fraction) const {
   RationalFunction result{{}, {{"1", std::vector<int>(size_, 0)}}};
   if (fraction.is_zero()) return result;
   std::vector<int> above(size_, 0), below(size_, 0);
   for (std::size_t s = 0; s < size_; ++s)
     (fraction.powers[s] > 0 ? above : below)[s] = std::abs(fraction.powers[s]);
-  DivisorPowers dividing, multiplying;
+  std::vector<DivisorPower> dividing;
+  DivisorPowers multiplying;
   std::vector<std::size_t> variables = fraction.variables;
-  for (const auto& [divisor, power] : fraction.divisors) {
+  for (const auto& [number, power] : fraction.divisors) {
     if (power > 0) {
-      dividing.emplace_back(divisor, power);
+      dividing.push_back({divisor(number).sum, power});
       continue;
     }
-    multiplying.emplace_back(divisor, -power);
-    variables = united(variables, sums_.variables(divisor));
+    multiplying.emplace_back(number, -power);
+    variables = united(variables, sums_.variables(number));
   }
+  std::sort(dividing.begin(), dividing.end(),
+            [](const DivisorPower& a, const DivisorPower& b) { return compare(*a.sum, *b.sum) < 0; });
   const Polynomial numerator = multiplying.empty()
                                    ? fraction.numerator
                                    : in_variables(fraction.numerator, fraction.variables, variables) *
                                          sums_.expanded(multiplying, variables);
-  const std::vector<PolynomialTerm>& divisor = denominator(below, dividing);
-  terms_ += numerator.size() + divisor.size();
+  terms_ += numerator.size();
   if (terms_ > most_terms)
     throw PolynomialTooLarge(fmt::format("more than {} terms in all its formulas together", most_terms));
   result.numerator = listed(numerator, variables, above, cln::numerator(fraction.scale));
-  result.denominator = divisor;
-  const cln::cl_I scale = cln::denominator(fraction.scale);
-  if (scale != 1)
-    for (PolynomialTerm& term : result.denominator)
-      term.coefficient = decimal_digits(cln::cl_I(term.coefficient.c_str()) * scale);
+  for (PolynomialTerm& term : result.numerator) term.divisors = dividing;
+  result.denominator.front() = {decimal_digits(cln::denominator(fraction.scale)), std::move(below)};
   return result;
 }
 

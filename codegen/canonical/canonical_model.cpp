@@ -221,7 +221,8 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
 class Digest {
  public:
   void add(const std::string& text) {
-    for (const char c : text + "\n") hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    for (const char c : text) mix(static_cast<unsigned char>(c));
+    mix('\n');
   }
   void add(const std::vector<std::string>& texts) { add(fmt::format("{}", fmt::join(texts, "\n"))); }
   void add(const std::vector<int>& numbers) { add(fmt::format("{}", fmt::join(numbers, " "))); }
@@ -231,10 +232,24 @@ class Digest {
     if (!dimension) return;
     for (const CanonicalRatio& power : *dimension) add(power);
   }
+  // Terms are many: symbols and powers that are not zero as numbers, a divisor by the number of its first
+  // occurrence.
+  void add(const std::vector<PolynomialTerm>& terms) {
+    mix(terms.size());
+    for (const PolynomialTerm& term : terms) {
+      add(term.coefficient);
+      for (std::size_t i = 0; i < term.exponents.size(); ++i)
+        if (term.exponents[i] != 0) mix(i << 32U | static_cast<std::uint32_t>(term.exponents[i]));
+      for (const auto& [sum, power] : term.divisors) {
+        const auto [known, added] = divisors_.try_emplace(sum.get(), divisors_.size());
+        if (added) add(*sum);
+        mix(known->second << 32U | static_cast<std::uint32_t>(power));
+      }
+    }
+  }
   void add(const RationalFunction& f) {
-    for (const auto* part : {&f.numerator, &f.denominator})
-      for (const PolynomialTerm& term : *part)
-        add(term.coefficient + fmt::format(" {}", fmt::join(term.exponents, " ")));
+    add(f.numerator);
+    add(f.denominator);
   }
   void add(const CanonicalPowers& p) {
     for (const auto* part : {&p.amplitude, &p.conjugate, &p.modulus, &p.forcing, &p.phase, &p.slow_phase})
@@ -307,7 +322,10 @@ class Digest {
   std::string text() const { return fmt::format("{:016x}", hash_); }
 
  private:
+  void mix(std::uint64_t value) { hash_ = (hash_ ^ value) * 1099511628211ULL; }
+
   std::uint64_t hash_ = 14695981039346656037ULL;
+  std::map<const void*, std::size_t> divisors_;
 };
 
 std::string fingerprint(const CanonicalModel& model) {
@@ -406,7 +424,7 @@ CanonicalModel canonical_model(const Model& model, const std::string& only_case,
       result.cases.push_back(canonical_case(model, resonance, form, dimensions, content, step_done));
     }
   } catch (const PolynomialTooLarge& error) {
-    throw InputError(model.file, place, fmt::format("has {} when its expansion is multiplied out", error.what()),
+    throw InputError(model.file, place, fmt::format("has {} in its expansion", error.what()),
                      "lower expand_to or leave out modes, terms or cases; `secular evaluate` gives its numbers as "
                      "it is");
   }

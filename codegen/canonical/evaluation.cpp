@@ -109,9 +109,7 @@ class Evaluator {
   Number canonical(const RationalFunction& f) const {
     if (f.is_zero()) return 0;
     const Number below = polynomial(f.denominator);
-    if (below == 0)
-      throw InputError(values_file_, "", "a denominator of the derivation is zero at these values",
-                       "choose values away from a resonance that the case does not list");
+    if (below == 0) refuse_pole();
     return polynomial(f.numerator) / below;
   }
 
@@ -126,9 +124,19 @@ class Evaluator {
                            "give a number for every symbol of the model's equations, frequencies and detunings");
         product *= boost::multiprecision::pow(numbers_[i], term.exponents[i]);
       }
+      for (const auto& [divisor, power] : term.divisors) {
+        const Number below = polynomial(*divisor);
+        if (below == 0) refuse_pole();
+        product /= boost::multiprecision::pow(below, power);
+      }
       sum += product;
     }
     return sum;
+  }
+
+  [[noreturn]] void refuse_pole() const {
+    throw InputError(values_file_, "", "a denominator of the derivation is zero at these values",
+                     "choose values away from a resonance that the case does not list");
   }
 
   const SymbolOrder order_;

@@ -31,7 +31,7 @@ bool VariableSum::is_zero() const {
   return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) {
     RationalFunction total = term.second.front();
     for (std::size_t i = 1; i < term.second.size(); ++i) total = sum(total, term.second[i]);
-    return total.is_zero();
+    return vanishes(total);
   });
 }
 

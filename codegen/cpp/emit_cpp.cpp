@@ -79,6 +79,7 @@ void declare_functions(Emitter& emitter) {
     code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
     declare_lumps(code);
     for (std::size_t b = 0; b < c.blocks.size(); ++b) {
+      if (block_place(emitter.model, c, b).space != safe_namespace(c.name)) continue;
       code.line(fmt::format("void columns_{}(const BatchArrays& data, double* const* columns);", b));
       code.line(fmt::format(
           "void column_slopes_{}(const BatchArrays& data, std::size_t mode, double* const* columns);", b));
@@ -103,13 +104,15 @@ void emit_functions(Emitter& emitter) {
   const CanonicalModel& model = emitter.model;
   CodeText& code = emitter.code;
   emit_motion(emitter);
+  if (!emitter.units) emit_shared_lumps(emitter);
   for (const CanonicalCase& c : model.cases) {
     code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
     if (emitter.units)
       declare_lumps(code);
     else
       emit_lumps(emitter, c);
-    for (std::size_t b = 0; b < c.blocks.size(); ++b) emit_block(emitter, c, b);
+    for (std::size_t b = 0; b < c.blocks.size(); ++b)
+      if (block_place(model, c, b).space == safe_namespace(c.name)) emit_block(emitter, c, b);
     emit_modulation(emitter, c);
     code.line(fmt::format("}}  // namespace {}", safe_namespace(c.name))).line();
   }
@@ -172,6 +175,7 @@ GeneratedFile lumps_unit(const CanonicalModel& model) {
   for (const char* const name : {"<cstddef>", "<numbers>"}) code.line(fmt::format("#include {}", name));
   code.line().line("#include \"estimator/model/integer_power.hpp\"").line();
   code.line(fmt::format("namespace secular::generated::{} {{", safe_namespace(model.name))).line();
+  emit_shared_lumps(emitter);
   for (const CanonicalCase& c : model.cases) {
     code.line(fmt::format("namespace {} {{", safe_namespace(c.name))).line();
     emit_lumps(emitter, c);

@@ -121,7 +121,7 @@ class ModulationCode {
     std::string product = fmt::format("lumps[{}]", lump);
     if (!term.factor.is_one()) {
       const std::string value = writer.expression(term.factor);
-      product += " * " + (term.factor.numerator.size() > 1 || value.front() == '-' ? "(" + value + ")" : value);
+      product += " * " + (reads_as_sum(term.factor) || value.front() == '-' ? "(" + value + ")" : value);
     }
     product += weight;
     bool real = false;

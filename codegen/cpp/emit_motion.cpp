@@ -71,8 +71,7 @@ std::string factor_code(const CanonicalModel& model, const CanonicalFactor& f) {
 std::string term_code(const CanonicalModel& model, CppWriter& writer, const CanonicalMotionTerm& term,
                       bool multiplied = false) {
   std::string product = term.coefficient.is_one() ? "" : writer.expression(term.coefficient);
-  const bool sum = term.coefficient.numerator.size() > 1 && term.coefficient.denominator_is_number();
-  if (sum && (multiplied || !term.factors.empty())) product = "(" + product + ")";
+  if (reads_as_sum(term.coefficient) && (multiplied || !term.factors.empty())) product = "(" + product + ")";
   for (const CanonicalFactor& factor : term.factors)
     product += (product.empty() ? "" : " * ") + factor_code(model, factor);
   return product.empty() ? "Scalar(1.0)" : product;

@@ -118,15 +118,18 @@ class TableCode {
     }
     if (c.blocks.empty()) return void(code_.line());
     code_.line(fmt::format("constexpr RegressorBlock {}_blocks[] = {{", id));
-    for (std::size_t b = 0; b < c.blocks.size(); ++b)
+    for (std::size_t b = 0; b < c.blocks.size(); ++b) {
+      const BlockPlace place = block_place(model_, c, b);
       code_.line(fmt::format(
-          "{{BlockKind::{0}, {1}, {2}, {3}, {4}, {5}_block_{6}_lumps, column_function<{7}::columns_{6}, {8}>, "
-          "column_slope_function<{7}::column_slopes_{6}, {8}>}},",
+          "{{BlockKind::{0}, {1}, {2}, {3}, {4}, {5}_block_{6}_lumps, column_function<{7}::columns_{9}, {8}>, "
+          "column_slope_function<{7}::column_slopes_{9}, {8}>}},",
           c.blocks[b].modulation ? "modulation" : "harmonic", quoted(c.blocks[b].name), c.blocks[b].mode,
           c.blocks[b].order, c.blocks[b].modulation ? "{}" : fmt::format("{}_block_{}_phase", id, b), id, b,
-          safe_namespace(c.name),
+          place.space,
           fmt::format("{}, {}, {}", model_.coordinates.size(), model_.excitations.size(),
-                      c.blocks[b].columns.size())));
+                      c.blocks[b].columns.size()),
+          place.block));
+    }
     code_.line("};").line();
   }
 

@@ -29,8 +29,17 @@ class Emitter {
 
 /// mass_matrix, accelerations, acceleration_by_state, acceleration_by_parameters.
 void emit_motion(Emitter& emitter);
-/// evaluate_lumps, evaluate_lumps_jacobian.
+/// Lumps with divisors, lump_N: each once, whatever cases have it.
+void emit_shared_lumps(Emitter& emitter);
+/// evaluate_lumps, evaluate_lumps_jacobian of one case, after the shared lumps.
 void emit_lumps(Emitter& emitter, const CanonicalCase& resonance);
+/// Where the functions of a block stand: those of the first case that has an equal one, which says the same of the
+/// same lumps.
+struct BlockPlace {
+  std::string space;  ///< namespace of the case
+  std::size_t block = 0;
+};
+BlockPlace block_place(const CanonicalModel& model, const CanonicalCase& resonance, std::size_t block);
 /// factors_N, columns_N, column_slopes_N of one block.
 void emit_block(Emitter& emitter, const CanonicalCase& resonance, std::size_t block);
 /// modulation, modulation_jacobian.

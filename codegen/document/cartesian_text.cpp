@@ -30,11 +30,7 @@ class TextSum {
     if (!rest.empty() && magnitude.is_one())
       text = rest;
     else if (!rest.empty())
-      text = (magnitude.numerator.size() > 1 && magnitude.denominator.front().coefficient == "1" &&
-                      magnitude.denominator_is_number()
-                  ? "(" + text + ")"
-                  : text) +
-             "*" + rest;
+      text = (reads_as_sum(magnitude) ? "(" + text + ")" : text) + "*" + rest;
     add_text(text, negative);
   }
   void add_text(const std::string& text, bool negative) {

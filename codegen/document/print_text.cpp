@@ -33,8 +33,7 @@ void append(std::string& sum, const RationalFunction& coefficient, const std::st
   } else if (magnitude.is_one()) {
     text = rest;
   } else {
-    const bool sum_above = magnitude.numerator.size() > 1 && magnitude.denominator_is_number();
-    text = (sum_above && magnitude.denominator.front().coefficient == "1" ? "(" + text + ")" : text) + "*" + rest;
+    text = (reads_as_sum(magnitude) ? "(" + text + ")" : text) + "*" + rest;
   }
   sum += sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
   sum += text;

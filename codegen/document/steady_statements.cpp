@@ -20,7 +20,11 @@ constexpr std::size_t longest_polynomial = 400;  // monomials
 std::size_t monomials(const VariableSum& sum) {
   std::size_t count = 0;
   for (const auto& [powers, parts] : sum.terms())
-    for (const RationalFunction& part : parts) count += part.numerator.size() + part.denominator.size();
+    for (const RationalFunction& part : parts)
+      for (const Fraction& f : fractions(part)) {
+        count += f.numerator.size() + f.denominator.size();
+        for (const DivisorPower& divisor : f.divisors) count += divisor.sum->size();
+      }
   return count;
 }
 

@@ -51,10 +51,6 @@ Expression polynomial(const std::vector<PolynomialTerm>& terms, const SymbolOrde
   return terms.size() == 1 && !sum.negative.front() ? sum.parts.front() : sum;
 }
 
-bool has_denominator(const RationalFunction& value) {
-  return !value.denominator_is_number() || value.denominator.front().coefficient != "1";
-}
-
 void append_factors(std::vector<Expression>& factors, Expression expression) {
   if (expression.kind == Kind::product)
     for (Expression& part : expression.parts) factors.push_back(std::move(part));
@@ -155,21 +151,44 @@ Sum& Sum::add(Expression term, bool negative) {
 
 Sum& Sum::add(const RationalFunction& coefficient, const Product& factors, bool imaginary) {
   if (coefficient.is_zero()) return *this;
-  if (factors.empty() && !imaginary && !has_denominator(coefficient)) {
-    for (const PolynomialTerm& term : coefficient.numerator) add(monomial(term, *order_, false), is_negative(term));
+  const std::vector<Fraction> parts = fractions(coefficient);
+  if (parts.size() == 1) return add(parts.front(), factors, imaginary);
+  if (factors.empty() && !imaginary) {
+    for (const Fraction& part : parts) add(part, factors, false);
     return *this;
   }
-  const bool negative = is_negative(coefficient.numerator.front());
-  const RationalFunction value = negative ? scaled(coefficient, -1, 1) : coefficient;
-  const bool single = value.numerator.size() == 1;
+  Sum bracketed(*order_);
+  for (const Fraction& part : parts) bracketed.add(part, {}, false);
+  std::vector<Expression> product;
+  if (imaginary) product.push_back(constant("i"));
+  product.push_back(bracketed.expression());
+  if (!factors.empty()) append_factors(product, factors.expression());
+  return add(product_of(std::move(product)), false);
+}
+
+Sum& Sum::add(const Fraction& value, const Product& factors, bool imaginary) {
+  if (factors.empty() && !imaginary && value.is_plain()) {
+    for (const PolynomialTerm& term : value.numerator) add(monomial(term, *order_, false), is_negative(term));
+    return *this;
+  }
+  const bool negative = is_negative(value.numerator.front());
+  std::vector<PolynomialTerm> numerator = value.numerator;
+  if (negative)
+    for (PolynomialTerm& term : numerator)
+      term.coefficient = is_negative(term) ? term.coefficient.substr(1) : "-" + term.coefficient;
+  const bool single = numerator.size() == 1;
   std::vector<Expression> product;
   if (imaginary && !single) product.push_back(constant("i"));
-  Expression above =
-      single ? monomial(value.numerator.front(), *order_, imaginary) : polynomial(value.numerator, *order_);
-  if (has_denominator(value))
-    product.push_back(fraction(std::move(above), polynomial(value.denominator, *order_)));
-  else if (above != number(1))
+  Expression above = single ? monomial(numerator.front(), *order_, imaginary) : polynomial(numerator, *order_);
+  if (!value.is_plain()) {
+    Product below;
+    if (value.divisors.empty() || !Fraction{{}, value.denominator, {}}.is_plain())
+      below.times(polynomial(value.denominator, *order_));
+    for (const auto& [sum, power] : value.divisors) below.times(polynomial(*sum, *order_), power);
+    product.push_back(fraction(std::move(above), below.expression()));
+  } else if (above != number(1)) {
     append_factors(product, std::move(above));
+  }
   if (!factors.empty()) append_factors(product, factors.expression());
   return add(product_of(std::move(product)), negative);
 }

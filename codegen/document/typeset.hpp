@@ -79,7 +79,8 @@ class Product {
 class Sum {
  public:
   explicit Sum(const SymbolOrder& order) : order_(&order) {}
-  /// Adds coefficient * (i) * factors; a polynomial standing alone adds its terms one by one.
+  /// Adds coefficient * (i) * factors; a polynomial standing alone adds its terms one by one, a sum of fractions
+  /// these.
   Sum& add(const RationalFunction& coefficient, const Product& factors = {}, bool imaginary = false);
   Sum& add(Expression term, bool negative);
   bool empty() const { return sum_.parts.empty(); }
@@ -87,6 +88,8 @@ class Sum {
   Expression expression() const;
 
  private:
+  Sum& add(const Fraction& value, const Product& factors, bool imaginary);
+
   const SymbolOrder* order_;
   Expression sum_{Expression::Kind::sum, {}, {}, {}, 1, false};
 };

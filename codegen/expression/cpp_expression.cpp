@@ -49,28 +49,76 @@ std::string CppWriter::polynomial(const std::vector<PolynomialTerm>& terms, bool
   return text;
 }
 
-std::string CppWriter::expression(const RationalFunction& value) {
-  if (value.is_zero()) return scalar_ + "(0.0)";
+std::string CppWriter::sum_of(const std::vector<PolynomialTerm>& terms) {
   bool single = false;
-  std::string above = polynomial(value.numerator, single);
-  const bool plain = value.denominator.size() == 1 && value.denominator.front().coefficient == "1" &&
-                     value.denominator_is_number();
-  if (plain) return above;
+  return polynomial(terms, single);
+}
+
+std::size_t CppWriter::number_of(const std::shared_ptr<const std::vector<PolynomialTerm>>& divisor) {
+  const auto [known, added] = number_of_.try_emplace(divisor, divisors_.size());
+  if (added) {
+    bool single = false;
+    divisors_.push_back({divisor, polynomial(*divisor, single)});
+    ++operations_;
+  }
+  return known->second;
+}
+
+std::string CppWriter::divided_by(const std::vector<DivisorPower>& divisors) {
+  std::string text;
+  for (const auto& [sum, power] : divisors) {
+    const std::size_t number = number_of(sum);
+    divisors_[number].highest_power = std::max(divisors_[number].highest_power, power);
+    text += fmt::format(" * per_{}{}", number, power == 1 ? "" : "_" + std::to_string(power));
+    ++operations_;
+  }
+  return text;
+}
+
+// numerator * inverse divisors / denominator; a sign before a single product is drawn out.
+std::string CppWriter::fraction(const Fraction& part, bool& negative) {
+  bool single = false;
+  std::string above = polynomial(part.numerator, single);
+  negative = single && above.front() == '-';
+  if (negative) above.erase(0, 1);
+  if (part.is_plain()) return above;
   if (!single) above = "(" + above + ")";
+  const std::string inverses = divided_by(part.divisors);
+  if (above == scalar_ + "(1.0)" && !inverses.empty())
+    above = inverses.substr(3);
+  else
+    above += inverses;
+  if (part.denominator.size() == 1 && Fraction{{}, part.denominator, {}}.is_plain()) return above;
   bool single_below = false;
-  std::string below = polynomial(value.denominator, single_below);
+  std::string below = polynomial(part.denominator, single_below);
   if (!single_below || below.find(' ') != std::string::npos) below = "(" + below + ")";
   ++operations_;
   return above + " / " + below;
 }
 
+std::string CppWriter::expression(const RationalFunction& value) {
+  if (value.is_zero()) return scalar_ + "(0.0)";
+  std::string text;
+  for (const Fraction& part : fractions(value)) {
+    bool negative = false;
+    const std::string one = fraction(part, negative);
+    if (!text.empty()) ++operations_;
+    text += (text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ")) + one;
+  }
+  return text;
+}
+
 std::vector<std::string> CppWriter::definitions() const {
   std::vector<std::string> lines;
-  for (std::size_t i = 0; i < order_.size(); ++i) {
-    const std::string name = safe_identifier(order_[i]);
-    for (int n = 2; n <= highest_power_[i]; ++n)
+  const auto powers = [&](const std::string& name, int highest) {
+    for (int n = 2; n <= highest; ++n)
       lines.push_back(fmt::format("const {} {}_{} = {} * {};", scalar_, name, n,
                                   n == 2 ? name : fmt::format("{}_{}", name, n - 1), name));
+  };
+  for (std::size_t i = 0; i < order_.size(); ++i) powers(safe_identifier(order_[i]), highest_power_[i]);
+  for (std::size_t d = 0; d < divisors_.size(); ++d) {
+    lines.push_back(fmt::format("const {0} per_{1} = {0}(1.0) / ({2});", scalar_, d, divisors_[d].text));
+    powers(fmt::format("per_{}", d), divisors_[d].highest_power);
   }
   return lines;
 }
@@ -100,16 +148,41 @@ std::string polynomial_text(const std::vector<PolynomialTerm>& terms, const Symb
   return text;
 }
 
+// "8*omega1*(omega1 - 2*omega2)^2"
+std::string divisors_text(const Fraction& part, const SymbolOrder& order) {
+  const std::string number = polynomial_text(part.denominator, order);
+  std::string text = number == "1" ? "" : part.denominator.size() > 1 ? "(" + number + ")" : number;
+  for (const auto& [sum, power] : part.divisors)
+    text += (text.empty() ? "(" : "*(") + polynomial_text(*sum, order) + ")" +
+            (power == 1 ? "" : "^" + std::to_string(power));
+  return text;
+}
+
 }  // namespace
 
 std::string formula_text(const RationalFunction& value, const SymbolOrder& order) {
   if (value.is_zero()) return "0";
-  std::string above = polynomial_text(value.numerator, order);
-  if (value.denominator_is_number() && value.denominator.front().coefficient == "1") return above;
-  std::string below = polynomial_text(value.denominator, order);
-  if (value.numerator.size() > 1) above = "(" + above + ")";
-  if (below.find_first_of("*+- ") != std::string::npos) below = "(" + below + ")";
-  return above + "/" + below;
+  std::string text;
+  const std::vector<Fraction> parts = fractions(value);
+  for (const Fraction& part : parts) {
+    std::string above = polynomial_text(part.numerator, order);
+    const bool negative = above.front() == '-' && part.numerator.size() == 1;
+    if (!text.empty()) {
+      if (negative) above.erase(0, 1);
+      text += negative ? " - " : " + ";
+    }
+    if (part.is_plain()) {
+      text += above;
+      continue;
+    }
+    std::string below =
+        part.divisors.empty() ? polynomial_text(part.denominator, order) : divisors_text(part, order);
+    if (part.numerator.size() > 1) above = "(" + above + ")";
+    const bool one = part.divisors.size() == 1 && below.front() == '(';  // one power of one sum
+    if (!one && below.find_first_of("*+- ") != std::string::npos) below = "(" + below + ")";
+    text += above + "/" + below;
+  }
+  return text;
 }
 
 }  // namespace secular

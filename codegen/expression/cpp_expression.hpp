@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -7,15 +9,21 @@
 
 namespace secular {
 
-/// Writes rational functions as C++ (or as readable text), sharing powers: omega0^3 becomes the temporary omega0_3.
+/// Writes rational functions as C++ (or as readable text), sharing powers and divisors: omega0^3 becomes the
+/// temporary omega0_3, 1/(omega1 - 2*omega2) the temporary per_0, its square per_0_2.
 class CppWriter {
  public:
-  /// `prefix` stands before symbols in code ("p." for a struct member, "" for local variables).
   CppWriter(SymbolOrder order, std::string scalar);
 
-  /// The expression in C++. Powers above one are asked for as temporaries, see definitions().
+  /// The expression in C++. Powers above one and divisors are asked for as temporaries, see definitions().
   std::string expression(const RationalFunction& value);
-  /// Declarations of every temporary that expressions since the last clear() need, one a line, dependencies first.
+  /// "a * per_0_2 * b / c" for a single term.
+  std::string divided_by(const std::vector<DivisorPower>& divisors);
+  /// The number of a divisor, which makes its name: per_0.
+  std::size_t number_of(const std::shared_ptr<const std::vector<PolynomialTerm>>& divisor);
+  /// A polynomial, "a * b - 2.0 * c".
+  std::string sum_of(const std::vector<PolynomialTerm>& terms);
+  /// Declarations of every temporary that expressions so far need, one a line, dependencies first.
   std::vector<std::string> definitions() const;
   /// Symbols that expressions used, in declared order.
   std::vector<std::string> used_symbols() const;
@@ -23,12 +31,24 @@ class CppWriter {
   int operations() const { return operations_; }
 
  private:
+  struct Divisor {
+    std::shared_ptr<const std::vector<PolynomialTerm>> sum;
+    std::string text;
+    int highest_power = 1;
+  };
+  struct Before {
+    using Sum = std::shared_ptr<const std::vector<PolynomialTerm>>;
+    bool operator()(const Sum& a, const Sum& b) const { return a != b && compare(*a, *b) < 0; }
+  };
   std::string power(std::size_t symbol, int exponent);
   std::string polynomial(const std::vector<PolynomialTerm>& terms, bool& single);
+  std::string fraction(const Fraction& part, bool& negative);
 
   SymbolOrder order_;
   std::string scalar_;
   std::vector<int> highest_power_;
+  std::vector<Divisor> divisors_;
+  std::map<Before::Sum, std::size_t, Before> number_of_;
   int operations_ = 0;
 };
 

@@ -128,7 +128,8 @@ std::string safe_identifier(const std::string& symbol) {
                                                "ComplexNumber",
                                                "mass_matrix",
                                                "modulus_of"};
-  static constexpr std::string_view prefixes[] = {"A_", "conj_", "norm_", "abs_", "unit_", "inverse_", "by_"};
+  static constexpr std::string_view prefixes[] = {"A_",    "conj_",    "norm_", "abs_",
+                                                  "unit_", "inverse_", "by_",   "per_"};
   const bool clashes = locals.count(symbol) != 0 || is_numbered(symbol) ||
                        std::any_of(std::begin(prefixes), std::end(prefixes),
                                    [&](std::string_view p) { return symbol.starts_with(p); });
@@ -191,7 +192,8 @@ std::string safe_namespace(const std::string& name) {
                                                "modulation_function",
                                                "jacobian_function",
                                                "find_compiled_model"};
-  return mangled(name, tables.count(name) != 0 || name.starts_with("case_") || name.starts_with("dimension_"));
+  return mangled(name, tables.count(name) != 0 || name.starts_with("case_") || name.starts_with("lump_") ||
+                           name.starts_with("dimension_"));
 }
 
 }  // namespace secular

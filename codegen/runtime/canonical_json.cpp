@@ -1,5 +1,7 @@
 #include "codegen/runtime/canonical_json.hpp"
 
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 namespace secular {
@@ -8,7 +10,8 @@ namespace {
 using Json = nlohmann::json;
 
 struct Writer {
-  // A term is [coefficient, symbol, exponent, symbol, exponent, ...]: few of many symbols occur in each.
+  // A term is [coefficient, symbol, exponent, symbol, exponent, ...], and at last, where it has divisors,
+  // [sum, power, sum, power, ...]: few of many symbols occur in each.
   static Json packed(const std::vector<PolynomialTerm>& terms) {
     Json list = Json::array();
     for (const PolynomialTerm& term : terms) {
@@ -18,6 +21,14 @@ struct Writer {
           item.push_back(s);
           item.push_back(term.exponents[s]);
         }
+      if (!term.divisors.empty()) {
+        Json divisors = Json::array();
+        for (const auto& [sum, power] : term.divisors) {
+          divisors.push_back(packed(*sum));
+          divisors.push_back(power);
+        }
+        item.push_back(std::move(divisors));
+      }
       list.push_back(std::move(item));
     }
     return list;
@@ -75,9 +86,23 @@ class Reader {
   void read(const Json& j, std::vector<PolynomialTerm>& terms) const {
     for (const Json& item : j) {
       PolynomialTerm term{item.at(0).get<std::string>(), std::vector<int>(symbols_, 0)};
-      for (std::size_t i = 1; i < item.size(); i += 2)
+      for (std::size_t i = 1; i < item.size(); i += 2) {
+        if (item.at(i).is_array()) {
+          read_divisors(item.at(i), term);
+          break;
+        }
         term.exponents.at(item.at(i).get<std::size_t>()) = item.at(i + 1).get<int>();
+      }
       terms.push_back(std::move(term));
+    }
+  }
+  void read_divisors(const Json& j, PolynomialTerm& term) const {
+    for (std::size_t i = 0; i < j.size(); i += 2) {
+      std::vector<PolynomialTerm> sum;
+      read(j.at(i), sum);
+      auto& known = divisors_[j.at(i).dump()];
+      if (!known) known = std::make_shared<const std::vector<PolynomialTerm>>(std::move(sum));
+      term.divisors.push_back({known, j.at(i + 1).get<int>()});
     }
   }
   void read(const Json& j, RationalFunction& f) const {
@@ -156,6 +181,7 @@ class Reader {
 
  private:
   std::size_t symbols_;
+  mutable std::map<std::string, std::shared_ptr<const std::vector<PolynomialTerm>>> divisors_;  // by their text
 };
 
 // The lists of names.

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "codegen/canonical/rational_function.hpp"
@@ -8,11 +12,12 @@
 namespace secular {
 
 /// Rational functions prepared for evaluation in double precision, in the same order of operations as generated
-/// code: powers by repeated multiplication, products from left to right, sums from the first term.
+/// code: powers by repeated multiplication, products from left to right, sums from the first term, divisors
+/// inverted once.
 class FormulaSet {
  public:
   /// `symbols`: how many the formulas' exponents refer to.
-  explicit FormulaSet(std::size_t symbols) : highest_power_(symbols, 0) {}
+  explicit FormulaSet(std::size_t symbols) : symbols_(symbols), highest_power_(symbols, 0) {}
 
   /// Adds a formula and returns its index.
   std::size_t add(const RationalFunction& formula);
@@ -26,9 +31,10 @@ class FormulaSet {
 
    private:
     double polynomial(std::size_t begin, std::size_t end) const;
+    void raise(std::size_t symbol, double value);
     const FormulaSet& set_;
     std::size_t stride_;
-    std::vector<double> powers_;  ///< [symbol][exponent - 1]
+    std::vector<double> powers_;  ///< [symbol, then inverse of a divisor][exponent - 1]
   };
 
  private:
@@ -44,8 +50,16 @@ class FormulaSet {
     bool divides = false;
   };
   void add_terms(const std::vector<PolynomialTerm>& terms);
+  std::size_t divisor(const std::shared_ptr<const std::vector<PolynomialTerm>>& sum);
 
-  std::vector<std::size_t> highest_power_;
+  struct Divisor {
+    std::size_t begin = 0, end = 0;  ///< of its terms
+  };
+
+  std::size_t symbols_;
+  std::vector<std::size_t> highest_power_;  ///< of symbols, then of inverses of divisors
+  std::map<std::vector<std::pair<std::string, std::vector<int>>>, std::size_t> number_of_;  ///< of a divisor
+  std::vector<Divisor> divisors_;
   std::vector<Factor> factors_;
   std::vector<Term> terms_;
   std::vector<Formula> formulas_;

@@ -15,12 +15,8 @@ InterpretedBlock::InterpretedBlock(const CanonicalModel& model, const CanonicalB
     : model_(model), formulas_(model.order.size()), slope_formulas_(model.order.size()) {
   for (std::size_t j = 0; j < block.columns.size(); ++j)
     for (const CanonicalColumnTerm& term : block.columns[j].terms) {
-      const LumpGradient gradient = lump_gradient(model, term.factor);
-      const std::size_t denominator = gradient.shared ? slope_formulas_.add(gradient.denominator) : 0;
-      for (const LumpGradient::Entry& entry : gradient.entries)
-        slopes_.push_back({terms_.size(), entry.parameter, slope_formulas_.add(entry.rate),
-                           gradient.shared ? slope_formulas_.add(entry.denominator_rate) : 0, denominator,
-                           gradient.shared});
+      for (const LumpGradient::Entry& entry : lump_gradient(model, term.factor).entries)
+        slopes_.push_back({terms_.size(), entry.parameter, slope_formulas_.add(entry.rate)});
       terms_.push_back(
           {j, block.columns[j].lump, formulas_.add(term.factor), term.imaginary, Monomial(term.powers)});
     }
@@ -63,15 +59,10 @@ void InterpretedBlock::column_slopes(const ObservationBatch& data, std::size_t m
   rows(
       data,
       [&](const double* symbols, double* numbers) {
-        const FormulaSet::Values factor(formulas_, symbols), rate(slope_formulas_, symbols);
+        const FormulaSet::Values rate(slope_formulas_, symbols);
         std::fill(numbers, numbers + terms_.size(), 0.0);
         for (const Slope& slope : slopes_) {
-          if (slope.mode != mode) continue;
-          double value = rate[slope.rate];
-          if (slope.shared)
-            value = (value - factor[terms_[slope.term].factor] * rate[slope.denominator_rate]) /
-                    rate[slope.denominator];
-          numbers[slope.term] = value;
+          if (slope.mode == mode) numbers[slope.term] = rate[slope.rate];
         }
       },
       columns);
@@ -97,12 +88,8 @@ InterpretedCase::InterpretedCase(const CanonicalModel& model, const CanonicalCas
   refuse_unsupported(model, resonance);
   for (std::size_t l = 0; l < resonance.lumps.size(); ++l) {
     lump_formulas_.add(resonance.lumps[l].definition);
-    const LumpGradient gradient = lump_gradient(model, resonance.lumps[l].definition);
-    const std::size_t denominator = gradient.shared ? gradient_formulas_.add(gradient.denominator) : 0;
-    for (const LumpGradient::Entry& entry : gradient.entries)
-      gradient_.push_back({l, entry.parameter, gradient_formulas_.add(entry.rate),
-                           gradient.shared ? gradient_formulas_.add(entry.denominator_rate) : 0, denominator,
-                           gradient.shared});
+    for (const LumpGradient::Entry& entry : lump_gradient(model, resonance.lumps[l].definition).entries)
+      gradient_.push_back({l, entry.parameter, gradient_formulas_.add(entry.rate)});
   }
   for (const CanonicalBlock& block : resonance.blocks)
     blocks_.push_back(std::make_unique<InterpretedBlock>(model, block));
@@ -133,15 +120,10 @@ void InterpretedCase::lumps(const double* symbol_values, double* lumps) const {
 
 void InterpretedCase::lumps_jacobian(const double* symbol_values, double* jacobian) const {
   const std::size_t parameters = model_.parameters.size();
-  std::vector<double> values(case_.lumps.size());
-  lumps(symbol_values, values.data());
   const FormulaSet::Values rate(gradient_formulas_, symbol_values);
-  std::fill(jacobian, jacobian + values.size() * parameters, 0.0);
-  for (const GradientEntry& entry : gradient_) {
-    double value = rate[entry.rate];
-    if (entry.shared) value = (value - values[entry.lump] * rate[entry.denominator_rate]) / rate[entry.denominator];
-    jacobian[entry.lump * parameters + entry.parameter] = value;
-  }
+  std::fill(jacobian, jacobian + case_.lumps.size() * parameters, 0.0);
+  for (const GradientEntry& entry : gradient_)
+    jacobian[entry.lump * parameters + entry.parameter] = rate[entry.rate];
 }
 
 void InterpretedCase::modulation(const double* symbol_values, const double* excitation_frequency,

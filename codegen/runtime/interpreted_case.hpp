@@ -32,8 +32,7 @@ class InterpretedBlock {
   };
   /// d(factor)/d(natural frequency of `mode`) of one term, as in LumpGradient.
   struct Slope {
-    std::size_t term = 0, mode = 0, rate = 0, denominator_rate = 0, denominator = 0;
-    bool shared = false;
+    std::size_t term = 0, mode = 0, rate = 0;
   };
   /// Fills columns from numbers that multiply the terms: factor(values of all symbols, numbers).
   template <class Factors>
@@ -63,8 +62,7 @@ class InterpretedCase {
 
  private:
   struct GradientEntry {
-    std::size_t lump = 0, parameter = 0, rate = 0, denominator_rate = 0, denominator = 0;
-    bool shared = false;
+    std::size_t lump = 0, parameter = 0, rate = 0;
   };
   /// A term of dB_mode/dt derived by B_along or its conjugate.
   struct DerivedTerm {

@@ -117,6 +117,10 @@ class Reference {
       Bounded product = bounded(cln::cl_float(cln::cl_I(term.coefficient.c_str()), cln::float_format(60)));
       for (std::size_t s = 0; s < term.exponents.size(); ++s)
         for (int n = 0; n < term.exponents[s]; ++n) product = product * symbols[s];
+      for (const DivisorPower& divisor : term.divisors) {
+        const Bounded below = value(*divisor.sum, symbols);
+        for (int n = 0; n < divisor.power; ++n) product = product / below;
+      }
       sum = sum + product;
     }
     return sum;
@@ -127,14 +131,8 @@ class Reference {
   /// Sum of absolute values of d f/d p for every parameter, as the code writes derivatives.
   std::vector<double> gradient_size(const RationalFunction& f, const std::vector<Bounded>& symbols) const {
     std::vector<double> sizes(model_.parameters.size(), 0.0);
-    const LumpGradient gradient = lump_gradient(model_, f);
-    const Bounded whole = value(f, symbols);
-    for (const LumpGradient::Entry& entry : gradient.entries) {
-      Bounded rate = value(entry.rate, symbols);
-      if (gradient.shared)
-        rate = (rate + -(whole * value(entry.denominator_rate, symbols))) / value(gradient.denominator, symbols);
-      sizes[entry.parameter] = rate.size;
-    }
+    for (const LumpGradient::Entry& entry : lump_gradient(model_, f).entries)
+      sizes[entry.parameter] = value(entry.rate, symbols).size;
     return sizes;
   }
 

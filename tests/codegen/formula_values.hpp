@@ -3,6 +3,7 @@
 // Typeset formulas as numbers.
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -76,16 +77,19 @@ class Values {
 };
 
 inline double value_of(const RationalFunction& f, const SymbolOrder& order, const Values& values) {
-  const auto polynomial = [&](const std::vector<PolynomialTerm>& terms) {
-    double sum = 0;
-    for (const PolynomialTerm& term : terms) {
-      double product = std::stod(term.coefficient);
-      for (std::size_t i = 0; i < order.size(); ++i)
-        product *= std::pow(values[order[i]].real(), term.exponents[i]);
-      sum += product;
-    }
-    return sum;
-  };
+  const std::function<double(const std::vector<PolynomialTerm>&)> polynomial =
+      [&](const std::vector<PolynomialTerm>& terms) {
+        double sum = 0;
+        for (const PolynomialTerm& term : terms) {
+          double product = std::stod(term.coefficient);
+          for (std::size_t i = 0; i < order.size(); ++i)
+            product *= std::pow(values[order[i]].real(), term.exponents[i]);
+          for (const DivisorPower& divisor : term.divisors)
+            product /= std::pow(polynomial(*divisor.sum), divisor.power);
+          sum += product;
+        }
+        return sum;
+      };
   return polynomial(f.numerator) / polynomial(f.denominator);
 }
 
