@@ -86,6 +86,7 @@ FullIdentification identify_by_full_equations(const IdentificationRequest& reque
   options.window = request.window;
   options.threads = request.threads;
   options.most_samples = most_samples;
+  options.skips_blows = true;
   options.start = request.fixed;
   FrequencyStarts starts = start_frequencies(source, id.campaign, read, options);
   std::vector<Disturbance> found = found_in_records(id.campaign, request.window, reader, watch);

@@ -150,6 +150,26 @@ std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap
   return warnings;
 }
 
+// Relative standard deviation of what only blows tell of a symbol by which an excitation acts: what is between
+// their samples is not known, and may be alike in all (docs/inference.md (42)). 0 where another record is driven,
+// too.
+double blows_are_open_to(const Attempt& best, const CampaignAndModel& sides) {
+  const BetweenSamples& blows = best.fitted.comparison.of_records.of_blows;
+  if (!best.fitted.comparison.conditions.empty()) return 0;
+  for (const RowLabel& label : best.fitted.comparison.discrepancy.labels()) {
+    const RecordKind kind = sides.campaign.records[label.record].kind;
+    if (kind == RecordKind::sweep || kind == RecordKind::broadband) return 0;
+  }
+  return blows.share;
+}
+
+bool acts_by_an_excitation(const CompiledModel& model, std::size_t symbol) {
+  const auto dimension = model.symbols[symbol].dimension;
+  for (std::size_t e = 0; e < model.excitations.size() && !dimension.empty(); ++e)
+    if (dimension[model.modes() + e].numerator != 0) return true;
+  return false;
+}
+
 // Parameters of the model's symbols with their covariance.
 void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndModel& sides, bool lacks) {
   const Refit& fit = best.fitted.inference.null.fit;
@@ -158,6 +178,7 @@ void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndM
   const SymbolUnits units(sides.campaign, sides.model);
   const MatrixXd covariance = covariance_of(fit, discrepancy.labels(), static_cast<double>(discrepancy.freedom()));
   const VectorXd hidden = hidden_in(fit, best.left);
+  const double open_share = blows_are_open_to(best, sides);
   estimate.covariance = MatrixXd::Zero(symbols, symbols);
   estimate.parameter_values = VectorXd::Constant(symbols, NAN);
   if (best.has_converged()) estimate.parameter_values = fit.unknowns.head(symbols);
@@ -177,7 +198,9 @@ void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndM
     } else if (best.has_converged() && fit.identifiable[static_cast<std::size_t>(at)]) {
       value.identifiable = true;
       value.value = fit.unknowns(static_cast<Index>(s));
-      value.noise_sd = value.sd = std::sqrt(std::max(0.0, covariance(at, at)));
+      value.noise_sd = std::sqrt(std::max(0.0, covariance(at, at)));
+      if (acts_by_an_excitation(sides.model, s)) value.open_sd = open_share * std::abs(*value.value);
+      value.sd = std::hypot(value.noise_sd, value.open_sd);
       value.degrees_of_freedom = best.left.freedom;
       if (lacks) add_misfit(value, hidden(at));
       value.significant = is_significant(value);

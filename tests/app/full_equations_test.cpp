@@ -25,7 +25,7 @@ const std::string three_blows =
     "[[impact]]\npeak = 60.0\nat_s = 0.2\nwidth_s = 0.06\nduration_s = 4.0\n";
 const std::string three_dwells =
     "[[dwell]]\nfrequencies_hz = [9.9, 10.1, 10.4]\namplitudes = [1.0]\nensembles = 5\nensemble_s = 2.0\n"
-    "settle_s = 12.0\n";
+    "settle_s = 20.0\n";
 
 struct Truth {
   const char* name;
@@ -87,6 +87,11 @@ class FullEquations : public testing_support::DiagnosedFolder {
     }
   }
 
+  // What is left, in standard deviations.
+  static double estimate_ratio(const Json& estimate) {
+    return estimate["quality"]["lack_of_fit"][0]["misfit_ratio"].get<double>();
+  }
+
   // Every sample times 1 + 1e-9 u.
   void jitter(int seed) const {
     std::mt19937 engine(static_cast<unsigned>(seed));
@@ -139,11 +144,14 @@ TEST_F(FullEquations, TakeAllKindsInOneLikelihood) {
 
 // Of a record that a choice leaves out, and of dwells alone, nothing is different from what it was.
 TEST_F(FullEquations, AreNotAskedWhereRecordsHaveAnExpansion) {
-  simulate(three_dwells + three_dwells + two_sweeps);
-  const Json dwells = identified("model.toml", "--records '*000[1-6]*' --fix mu2=20 --fix alpha3=4e6");
+  simulate(
+      "[[dwell]]\nfrequencies_hz = [9.6, 9.8, 9.9, 10.0, 10.1, 10.2, 10.3, 10.4, 10.6]\namplitudes = [1.0]\n"
+      "ensembles = 5\nensemble_s = 2.0\nsettle_s = 20.0\n" +
+      two_sweeps);  // records 10 and 11
+  const Json dwells = identified("model.toml", "--records 'records/000?.csv'");
   ASSERT_TRUE(dwells.is_object()) << printed();
   EXPECT_FALSE(dwells.contains("equations"));
-  const Json chosen = identified("model.toml", "--by modulation-equations --fix mu2=20 --fix alpha3=4e6");
+  const Json chosen = identified("model.toml", "--by modulation-equations");
   ASSERT_TRUE(chosen.is_object()) << printed();
   EXPECT_EQ(chosen["estimates"], dwells["estimates"]);
 }
@@ -156,14 +164,12 @@ TEST_F(FullEquations, SayFirstThatAModelWithoutItsSpringDoesNotHold) {
   EXPECT_TRUE(estimate["quality"]["lack_of_fit"][0]["significant"].get<bool>());
   EXPECT_EQ(estimate["quality"]["warnings"][0].get<std::string>().rfind("the model does not hold", 0), 0U)
       << printed();
-  for (const Json& e : estimate["estimates"]) {
-    if (!e["value"].is_number()) continue;
-    EXPECT_GT(e["misfit"].get<double>(), 0);
-    for (const Truth& truth : truths)
-      if (e["name"] == truth.name && std::string(truth.name) != "mu2") {
-        EXPECT_NEAR(e["value"].get<double>(), truth.value, 3 * e["sd"].get<double>()) << truth.name;
-      }
-  }
+  // Error bars allow for what the numbers may have taken up.
+  for (const Json& e : estimate["estimates"])
+    if (e["value"].is_number()) {
+      EXPECT_GE(e["sd"].get<double>(), 0.5 * e["misfit"].get<double>());
+      EXPECT_GT(e["misfit"].get<double>(), 10 * e["sd_by_noise"].get<double>() / estimate_ratio(estimate));
+    }
 }
 
 TEST_F(FullEquations, SayWhichNumbersGoTogetherOnly) {
