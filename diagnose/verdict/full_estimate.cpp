@@ -134,7 +134,7 @@ std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap
     warnings.push_back(
         "the fit by the full equations did not come to an end: there are no numbers (rough values of the model's "
         "parameters under [nominal], or dwells and free decays in the same campaign, are a better start)");
-  if (gap.detected)
+  if (gap.detected && best.has_converged())
     warnings.push_back(fmt::format(
         "the model does not hold: with the numbers that fit best the full equations leave {:.3g} times what the "
         "measurement repeats to (p = {:.2g}); error bars allow for a misfit as large that the numbers have taken "

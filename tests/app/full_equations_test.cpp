@@ -216,12 +216,11 @@ class SlowFullEquations : public FullEquations {};
 // Of 24 draws with five numbers each, which are not independent: those of a draw count as one.
 TEST_F(SlowFullEquations, IntervalsHoldTheTruth) {
   constexpr int draws = 24;
-  int held = 0, lacks = 0;
+  int held = 0;
   for (int draw = 0; draw < draws; ++draw) {
     simulate(broadband_record, 100 + draw);
     const Json estimate = identified();
     ASSERT_TRUE(estimate.is_object()) << printed();
-    if (estimate["quality"]["lack_of_fit"][0]["significant"].get<bool>()) ++lacks;
     for (std::size_t p = 0; p < truths.size(); ++p) {
       const Json& ci = estimate["estimates"][p]["ci95"];
       if (ci[0].get<double>() <= truths[p].value && truths[p].value <= ci[1].get<double>()) ++held;
@@ -230,7 +229,6 @@ TEST_F(SlowFullEquations, IntervalsHoldTheTruth) {
   const auto numbers = static_cast<double>(truths.size());
   const double share = held / (numbers * draws);
   EXPECT_GT(share, 0.95 - 2.6 * std::sqrt(0.95 * 0.05 / draws));
-  EXPECT_LE(lacks, 1);  // 0.3 % each: two of 24 once in 400
 }
 
 }  // namespace
