@@ -65,7 +65,7 @@ inline constexpr std::array diagnose_threshold_list = {
         "no draws: with less, nine tenths follow the settings", "verdict/allowances.cpp"},
     Threshold<DiagnoseThresholds>{"foreign_searches", &DiagnoseThresholds::foreign_searches, ThresholdKind::tuned,
                                   "searches", "for foreign content, each beside what the one before found",
-                                  "no record of the draws", "verdict/step_by_step.cpp"},
+                                  "no record of the draws", "verdict/foreign_search.cpp"},
     Threshold<DiagnoseThresholds>{"worth_a_test", &DiagnoseThresholds::worth_a_test, ThresholdKind::tuned,
                                   "probability", "a proposed dwell leaves one explanation",
                                   "no draws: more likely than not", "verdict/proposal.cpp"},

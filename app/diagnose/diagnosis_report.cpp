@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "app/shared/disturbance_output.hpp"
+#include "app/shared/record_figure.hpp"
 #include "numerics/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -127,40 +127,8 @@ Figure residual_figure(const Diagnosis& d, const std::string& mode, const std::s
   return figure;
 }
 
-Figure record_figure(const Diagnosis& d) {
-  Figure figure;
-  figure.title = "Discrepancy by condition";
-  figure.x = {"Record", "", false, {}};
-  std::map<std::size_t, std::array<double, 3>> by_record;
-  for (std::size_t r = 0; r < d.labels.size(); ++r) {
-    const auto i = static_cast<Eigen::Index>(r);
-    if (d.labels[r].fold < 0) continue;
-    std::array<double, 3>& sums = by_record[d.labels[r].record];
-    sums[0] += d.rows_before(i) * d.rows_before(i);
-    sums[1] += d.rows_after(i) * d.rows_after(i);
-    sums[2] += 1;
-  }
-  Series before, after, floor;
-  before.name = "model as it is";
-  before.role = SeriesRole::data;
-  after.name = "best explanation added";
-  after.role = SeriesRole::held_out;
-  floor.name = "repeatability";
-  floor.role = SeriesRole::reference;
-  before.style = after.style = SeriesStyle::points;
-  for (const auto& [record, sums] : by_record) {
-    const auto x = static_cast<double>(record + 1);
-    before.x.push_back(x);
-    before.y.push_back(std::sqrt(sums[0] / sums[2]));
-    after.x.push_back(x);
-    after.y.push_back(std::sqrt(sums[1] / sums[2]));
-    floor.x.push_back(x);
-    floor.y.push_back(1);
-  }
-  std::vector<Series> series = {floor, before};
-  if (d.gap.detected) series.push_back(after);
-  figure.panels.push_back({"", {"Root mean square", "sd", true, {}}, series});
-  return figure;
+Figure figure_of_records(const Diagnosis& d) {
+  return record_figure(d.labels, d.rows_before, d.gap.detected ? &d.rows_after : nullptr);
 }
 
 std::vector<std::string> balanced_modes(const Diagnosis& d) {
@@ -203,7 +171,7 @@ void where_section(HtmlReport& page, const DiagnosisRun& run) {
     return label.fold >= 0 && label.record != d.labels.front().record;
   });
   if (several)
-    page.figure(record_figure(d),
+    page.figure(figure_of_records(d),
                 "All rows of a record together: balances of the resonant lines and lines of every "
                 "channel. One is what repeatability leaves.");
 }
@@ -342,7 +310,7 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
 
 report::Figure gap_figure(const Diagnosis& d) {
   const std::vector<std::string> modes = balanced_modes(d);
-  return modes.empty() ? record_figure(d) : residual_figure(d, modes.front(), "");
+  return modes.empty() ? figure_of_records(d) : residual_figure(d, modes.front(), "");
 }
 
 std::string open_law_sentence(const OpenLaw& law) {

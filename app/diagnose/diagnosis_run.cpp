@@ -4,13 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "app/shared/compared_records.hpp"
 #include "app/shared/identification.hpp"
 #include "app/shared/model_loading.hpp"
 #include "app/shared/number_file.hpp"
 #include "app/shared/parameter_file.hpp"
-#include "app/shared/record_assignment.hpp"
 #include "app/shared/record_selection.hpp"
-#include "diagnose/verdict/clipped_records.hpp"
 #include "diagnose/verdict/given_numbers.hpp"
 #include "diagnose/verdict/step_by_step.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
@@ -99,33 +98,6 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   for (std::size_t s = 0; s < added.size(); ++s)
     if (!added[s]) tried.own.push_back(s);
   return tried;
-}
-
-FrequencyStarts start_frequencies(const ModelSource& source, const Campaign& campaign, const RecordReader& read,
-                                  DiagnosisOptions& options) {
-  std::vector<double> nominal = source.nominal_frequencies();
-  nominal.resize(source.modes());
-  const std::vector<double> claimed = claimed_frequencies(options.given, source.frequency_names(), nominal);
-  FrequencyStarts starts = frequency_starts(source, campaign, read, claimed, {}, options.window);
-  options.natural_frequency = frequencies_of_records(claimed, starts.frequency, starts.moved);
-  return starts;
-}
-
-// Every record is looked at before any is compared.
-std::vector<Disturbance> found_in_records(const Campaign& campaign, const Window& window, SelectedRecords& reader,
-                                          const DisturbanceWatch& watch) {
-  std::size_t chosen = 0;
-  for (std::size_t r = 0; r < campaign.records.size(); ++r)
-    if (window.takes(r, campaign.records[r].file)) {
-      reader.read(r);
-      ++chosen;
-    }
-  std::vector<Disturbance> found = watch.found();
-  if (leaves_clipped_out(reader.clipped_records(), chosen)) {
-    reader.leave_clipped_out();
-    list_clipped_as_left_out(found);
-  }
-  return found;
 }
 
 std::vector<EstimatedValue> identified(const DiagnosisRequest& request) {

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -12,6 +13,8 @@
 #include <vector>
 
 #include "app/identify/estimate_json.hpp"
+#include "app/identify/full_equations.hpp"
+#include "app/identify/full_report.hpp"
 #include "app/identify/identification_report.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
@@ -33,6 +36,7 @@ struct IdentifyArguments {
   SelectionOptions selection;
   OutputFolder output{{"estimate.json", "report.html", "response.svg"}};
   std::vector<std::string> fixed;
+  std::optional<Equations> by;
   bool json = false, timings = false;
 };
 
@@ -52,32 +56,60 @@ void parse_fixed(IdentifyArguments& options) {
   }
 }
 
+void print_value(const EstimatedValue& v) {
+  if (v.fixed)
+    fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
+  else if (v.value)
+    fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
+               report::format_number(100 * v.sd / std::abs(*v.value), 2), v.significant ? "" : ", not significant",
+               v.doubtful ? ", doubtful" : "");
+  else {
+    std::string with;
+    for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
+    fmt::print("  {:<12} {:>20} {}\n", v.name, "not identifiable", with.empty() ? "" : "entangled with " + with);
+  }
+}
+
+void print_not_separated(const Estimate& estimate) {
+  for (const NullDirection& direction : estimate.null_directions) {
+    std::string tests;
+    for (std::size_t i = 0; i < direction.parted_by.size() && i < 3; ++i)
+      tests += (i == 0 ? "" : "; ") + direction.parted_by[i];
+    fmt::print("not separated: {}{}\n", direction.text, tests.empty() ? "" : ". What would part them: " + tests);
+  }
+}
+
+void print_summary(const FullIdentification& run, const std::string& folder) {
+  const Identification& id = run.of;
+  const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
+  fmt::print("model {}, by the full equations: {}; {} of the samples\n", id.model->name, records_in_words(run),
+             report::format_percent(run.full.data_used));
+  fmt::print("fit of all records: off by {:.3g} times what the measurement repeats to (p = {:.2g}{})\n",
+             fit.misfit_ratio, fit.p_value, fit.significant ? ", the model does not hold" : ", nothing wrong");
+  if (run.full.has_converged) {
+    fmt::print("parameters\n");
+    for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
+    print_not_separated(id.estimate);
+  } else {
+    fmt::print("no numbers: the fit did not come to an end\n");
+  }
+  print_disturbances(id.disturbances, id.campaign, id.looked_at);
+  fmt::print("written: {0}/estimate.json, {0}/report.html, {0}/response.svg\n", folder);
+}
+
 void print_summary(const Identification& id, const std::string& folder) {
   const report::PlainNumbers plain(prints_for_programs());
   for (const ObservationSet& set : id.measured)
     fmt::print("model {}, case {}: {} observations\n", id.model->name, set.resonance->name,
                set.observations.size());
-  const auto print = [](const EstimatedValue& v) {
-    if (v.fixed)
-      fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
-    else if (v.value)
-      fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
-                 report::format_number(100 * v.sd / std::abs(*v.value), 2),
-                 v.significant ? "" : ", not significant", v.doubtful ? ", doubtful" : "");
-    else {
-      std::string with;
-      for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
-      fmt::print("  {:<12} {:>20} {}\n", v.name, "not identifiable", with.empty() ? "" : "entangled with " + with);
-    }
-  };
   fmt::print("parameters\n");
-  for (const EstimatedValue& v : id.estimate.parameters) print(v);
+  for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
   for (const std::string& line : scatter_lines(id.estimate)) fmt::print("  {}\n", line);
   fmt::print("lumps\n");
   for (const ObservationSet& set : id.measured) {
     if (id.measured.size() > 1) fmt::print(" case {}\n", set.resonance->name);
     for (const EstimatedValue& v : id.estimate.lumps)
-      if (v.value && v.resonance == set.resonance->name) print(v);
+      if (v.value && v.resonance == set.resonance->name) print_value(v);
   }
   for (const CaseLackOfFit& tests : id.estimate.lack_of_fit) {
     const auto worst =
@@ -94,12 +126,7 @@ void print_summary(const Identification& id, const std::string& folder) {
                damping.decided ? " (decided: laws without these terms predict left-out conditions worse)"
                                : " (not decided: others predict left-out conditions no worse)");
   }
-  for (const NullDirection& direction : id.estimate.null_directions) {
-    std::string tests;
-    for (std::size_t i = 0; i < direction.parted_by.size() && i < 3; ++i)
-      tests += (i == 0 ? "" : "; ") + direction.parted_by[i];
-    fmt::print("not separated: {}{}\n", direction.text, tests.empty() ? "" : ". What would part them: " + tests);
-  }
+  print_not_separated(id.estimate);
   for (const HeldOutPrediction& p : id.held_out) {
     const bool angle = id.coordinate_unit == "rad";
     fmt::print("held out: {:.1f} s to {:.1f} s predicted within {:.3g} {} RMS\n", p.from_s, p.to_s,
@@ -124,6 +151,44 @@ std::optional<std::string> lost_records(const Identification& id, const Window& 
   return mostly_left_out(id.estimate.warnings, id.campaign, given, used);
 }
 
+// Options that only the modulation equations have a meaning for.
+std::vector<std::string> options_of_modulation(const IdentifyArguments& options) {
+  std::vector<std::string> names;
+  if (!options.request.resonances.empty()) names.emplace_back("--case");
+  if (options.request.bootstrap > 0) names.emplace_back("--bootstrap");
+  if (options.request.refine) names.emplace_back("--refine");
+  return names;
+}
+
+Equations equations_of(const IdentifyArguments& options) {
+  const std::vector<std::string> of_modulation = options_of_modulation(options);
+  if (options.by == Equations::full && !of_modulation.empty())
+    throw InputError(of_modulation.front(), "", "is of the modulation equations",
+                     "leave it out, or --by full-equations");
+  if (options.by) return *options.by;
+  if (!of_modulation.empty()) return Equations::modulation;
+  return equations_for(read_campaign(options.request.campaign), options.request.window);
+}
+
+// The exit status.
+int run_full(const IdentifyArguments& options, const std::string& command) {
+  const FullIdentification run = identify_by_full_equations(options.request);
+  const std::string json = estimate_json(run), html = full_report(run, command);
+  const std::string figure = report::render_figure(full_figure(run), "response", report::FigureUse::standalone).svg;
+  options.output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
+  print_warnings(folded(run.of.estimate.warnings, run.of.campaign));
+  if (options.json)
+    fmt::print("{}", json);
+  else
+    print_summary(run, options.output.path());
+  std::set<std::size_t> given;
+  for (std::size_t r = 0; r < run.of.campaign.records.size(); ++r)
+    if (options.request.window.takes(r, run.of.campaign.records[r].file)) given.insert(r);
+  const auto lost = mostly_left_out(run.of.estimate.warnings, run.of.campaign, given, run.full.records);
+  if (lost) fmt::print(stderr, "secular: {}\n", *lost);
+  return lost || !run.full.has_converged ? 1 : 0;
+}
+
 }  // namespace
 
 void add_identify_command(CLI::App* command, Action& chosen) {
@@ -141,6 +206,14 @@ void add_identify_command(CLI::App* command, Action& chosen) {
   command->add_option("--seed", options->request.seed, "of the bootstrap");
   command->add_flag("--refine", options->request.refine,
                     "maximum likelihood with errors in amplitudes, phases, forces and frequencies");
+  command
+      ->add_option(
+          "--by", options->by,
+          "full-equations: of motion, all kinds of records in one likelihood (sweeps, broadband records and "
+          "impacts need them, and choose them); modulation-equations: of the resonance cases, dwells and "
+          "free decays alone")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Equations>{
+          {"full-equations", Equations::full}, {"modulation-equations", Equations::modulation}}));
   options->selection.add_to(*command);
   command->add_option(
       "--fix", options->fixed,
@@ -158,6 +231,7 @@ void add_identify_command(CLI::App* command, Action& chosen) {
       options->output.check(
           {{"the campaign", options->request.campaign, true}, {"the model", options->request.model, false}});
       options->request.window = options->selection.window();
+      if (equations_of(*options) == Equations::full) return run_full(*options, command_line_of(*command));
       const Identification result = identify(options->request);
       const std::string json = estimate_json(result);
       const std::string html = identification_report(result, command_line_of(*command));

@@ -181,9 +181,7 @@ Json covariance_json(const Estimate& estimate) {
   return {{"names", std::move(names)}, {"matrix", std::move(matrix)}};
 }
 
-}  // namespace
-
-std::string estimate_json(const Identification& identification) {
+Json json_of(const Identification& identification) {
   Json result;
   result["schema"] = 1;
   result["model"] = identification.model->name;
@@ -261,6 +259,23 @@ std::string estimate_json(const Identification& identification) {
   result["disturbances"] = disturbances_json(identification.disturbances, identification.campaign);
   for (const CaseLateness& lateness : identification.lateness)
     add_lateness(result["disturbances"], lateness, identification);
+  return result;
+}
+
+}  // namespace
+
+std::string estimate_json(const Identification& identification) {
+  return json_of(identification).dump(2) + "\n";
+}
+
+std::string estimate_json(const FullIdentification& run) {
+  Json result = json_of(run.of);
+  result["equations"] = "full";
+  Json& quality = result["quality"];
+  quality["observations"] = run.full.conditions;
+  quality["converged"] = run.full.has_converged;
+  quality["data_used"] = run.full.data_used;
+  quality["records"] = records_in_words(run);
   return result.dump(2) + "\n";
 }
 

@@ -10,6 +10,7 @@
 
 #include "diagnose/evidence/campaign_clock.hpp"
 #include "diagnose/evidence/record_part.hpp"
+#include "diagnose/evidence/unresolved_blows.hpp"
 #include "diagnose/thresholds.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/noise_floor.hpp"
@@ -315,6 +316,8 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
         segment.tones = tones_in(sensors, tones->second);
       if (const auto noises = cut.coloured.find(r); noises != cut.coloured.end())
         segment.coloured = coloured_in(sensors, noises->second, noise);
+      if (cut.skips_blows && entry.kind == RecordKind::impact && movement->driven)
+        segment.uncompared = samples_of_blow(segment);
       // What is taken off is seen by no row, and a state is found without it.
       for (const Index c : segment.wandering) segment.response.row(c).array() -= segment.response.row(c).mean();
       segments.push_back(std::move(segment));

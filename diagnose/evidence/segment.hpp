@@ -29,7 +29,8 @@ struct Segment {
   std::vector<Eigen::Index> wandering;  ///< response channels whose zero moves slowly
   std::vector<ForeignTone> tones;       ///< in response channels
   std::vector<ColouredNoise> coloured;
-  double zeros_below_hz = 0;  ///< what they move with
+  double zeros_below_hz = 0;             ///< what they move with
+  std::vector<Eigen::Index> uncompared;  ///< samples, in order, whose readings do not count
 };
 
 /// Channels x samples -> channels x (2*samples - 1): values and, by cubic interpolation, those halfway between.
@@ -49,6 +50,7 @@ struct SegmentCut {
   ForeignTones tones = {};
   ColouredNoises coloured = {};
   bool blows_as_decays = false;  ///< of impacts what follows the blow, whatever drove it
+  bool skips_blows = false;      ///< readings during a blow do not count, what it does afterwards does
 };
 
 /// Free decays, impacts, sweeps and broadband records as segments. Of a record that holds more than its share of

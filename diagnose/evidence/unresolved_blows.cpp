@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "diagnose/thresholds.hpp"
@@ -31,13 +32,13 @@ RowVectorXd about_rest(const Segment& segment, Index excitation) {
   return samples;
 }
 
-// From the first to the last sample of the blow, and as many again on both sides. Nothing where it does not begin
-// and end within the samples, or is no blow, that lasts as long as all else.
+// Nothing where it does not begin and end within the samples, or is no blow, that lasts as long as all else.
 struct Blow {
   Index first = 0, count = 0;
 };
 
-Blow blow_in(const RowVectorXd& samples) {
+// From the first to the last sample of the blow.
+Blow blow_itself(const RowVectorXd& samples) {
   const RowVectorXd size = samples.cwiseAbs();
   const double rest = sd_of_median * upper_median(std::vector<double>(size.begin(), size.end()));
   const double least = std::max(drives_from * size.maxCoeff(), above_rest * rest);
@@ -46,8 +47,14 @@ Blow blow_in(const RowVectorXd& samples) {
   while (end > first && !(size(end - 1) > least)) --end;
   const Index length = end - first;
   if (length == 0 || first == 0 || end == samples.size() || 2 * length > samples.size()) return {};
-  const Index begin = std::max<Index>(0, first - length);
-  return {begin, std::min<Index>(samples.size(), end + length) - begin};
+  return {first, length};
+}
+
+// And as many samples again on both sides.
+Blow blow_in(const RowVectorXd& samples) {
+  const Blow blow = blow_itself(samples);
+  const Index begin = std::max<Index>(0, blow.first - blow.count);
+  return {begin, std::min<Index>(samples.size(), blow.first + 2 * blow.count) - begin};
 }
 
 // Of the segments of one record, that in which this excitation is largest.
@@ -58,6 +65,15 @@ const Segment& struck(const std::vector<const Segment*>& of_record, Index excita
 }
 
 }  // namespace
+
+std::vector<Index> samples_of_blow(const Segment& segment) {
+  std::set<Index> samples;
+  for (Index j = 0; j < segment.excitation.rows(); ++j) {
+    const Blow blow = blow_itself(about_rest(segment, j));
+    for (Index i = -1; blow.count > 0 && i <= blow.count; ++i) samples.insert(blow.first + i);
+  }
+  return {samples.begin(), samples.end()};
+}
 
 double unresolved_share(const std::vector<const Segment*>& segments, double frequency) {
   std::map<std::size_t, std::vector<const Segment*>> records;

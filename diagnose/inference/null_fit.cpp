@@ -1,6 +1,7 @@
 #include "diagnose/inference/null_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "diagnose/thresholds.hpp"
@@ -27,7 +28,39 @@ Refit anchored_null(ExplanationSearch& search, const VectorXd& start) {
   return search.fitter.fit_own(first.unknowns, search.own, first_damping);
 }
 
+/// Errors taken at a fit move the next one by less and less; where what it leaves is large, by a share of that each
+/// time.
+constexpr int most_returns = 20;
+
+/// Standard deviations: what moves a number by less is rounding.
+constexpr double at_rest = 0.01;
+
+// Of what the rows tell, in standard deviations of rows of unit variance.
+double largest_move(const Refit& from, const Refit& to) {
+  double largest = 0;
+  for (std::size_t f = 0; f < to.free.size(); ++f) {
+    const auto place = static_cast<Eigen::Index>(f), unknown = static_cast<Eigen::Index>(to.free[f]);
+    const double variance = to.covariance(place, place);
+    if (to.identifiable[f] && variance > 0)
+      largest = std::max(largest, std::abs(to.unknowns(unknown) - from.unknowns(unknown)) / std::sqrt(variance));
+  }
+  return largest;
+}
+
 }  // namespace
+
+Refit bring_to_rest(Discrepancy& discrepancy, Refit fit, unsigned threads) {
+  Fitter fitter(discrepancy, fit.unknowns.size(), threads);
+  for (int round = 0; round < most_returns; ++round) {
+    fitter.freeze(fit.unknowns, 0, Lookout::close_by);
+    Refit next = fitter.fit_own(fit.unknowns, fit.free);
+    const double move = largest_move(fit, next);
+    fit = std::move(next);
+    if (move < at_rest) return fit;
+  }
+  fit.ending = SolverEnding::stalled;
+  return fit;
+}
 
 void fit_null(ExplanationSearch& search, const VectorXd& start) {
   Fitter& fitter = search.fitter;

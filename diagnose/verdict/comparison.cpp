@@ -27,9 +27,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Samples of decays, sweeps and broadband records that are compared, in all.
-constexpr Index most_samples = 6000;
-
 /// In what the model leaves of one record lines are looked for in so many at most.
 constexpr Index most_searched_samples = 8192;
 
@@ -84,8 +81,9 @@ VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const Di
     const double nominal = s < model.nominal.size() ? model.nominal[s] : NAN;
     if (std::isfinite(nominal)) start(static_cast<Index>(s)) = nominal;
     if (std::isfinite(seen_frequency(options, s))) start(static_cast<Index>(s)) = seen_frequency(options, s);
-    const auto found = given.values.find(std::string(model.symbols[s].name));
-    if (found != given.values.end()) start(static_cast<Index>(s)) = found->second;
+    for (const auto* numbers : {&options.start, &given.values})
+      if (const auto found = numbers->find(std::string(model.symbols[s].name)); found != numbers->end())
+        start(static_cast<Index>(s)) = found->second;
   }
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (!(start(static_cast<Index>(k)) > 0))
@@ -255,10 +253,10 @@ Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffe
       observe_conditions({campaign, model, sensors, natural, options.window, options.wandering}, counted);
   result.warnings = std::move(observed.warnings);
   const auto cut = [&](const Window& window, SegmentLength length) {
-    return cut_segments(
-        campaign, counted, sensors, natural,
-        {window, length, most_samples, options.wandering, options.tones, options.coloured, options.blows_as_decays},
-        result.warnings);
+    return cut_segments(campaign, counted, sensors, natural,
+                        {window, length, options.most_samples, options.wandering, options.tones, options.coloured,
+                         options.blows_as_decays, options.skips_blows},
+                        result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
   result.of_records.of_blows = between_samples(campaign, segments, natural);
@@ -319,7 +317,7 @@ std::vector<SegmentEvidence::Left> left_of_records(const CampaignAndModel& sides
   std::vector<Segment> segments = cut_segments(
       sides.campaign, read, comparison.sensors, natural_frequencies(sides.model, options, comparison.start),
       {options.window, SegmentLength::turns, std::numeric_limits<Index>::max(), options.wandering, options.tones,
-       options.coloured, options.blows_as_decays},
+       options.coloured, options.blows_as_decays, options.skips_blows},
       said_before);
   std::erase_if(segments, [&](const Segment& s) { return s.excitation.cols() > 0 && by_lines.contains(s.record); });
   if (segments.empty()) return {};

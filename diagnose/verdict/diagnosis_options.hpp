@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,10 +17,15 @@
 
 namespace secular {
 
+/// Samples of decays, sweeps and broadband records that a diagnosis compares, in all: what tells effects apart.
+inline constexpr Eigen::Index usual_samples = 6000;
+
 struct DiagnosisOptions {
   EffectCatalogue catalogue = effect_catalogue();
   Window window;
-  GivenNumbers given;  ///< the gap of these is diagnosed
+  GivenNumbers given;                   ///< the gap of these is diagnosed
+  std::map<std::string, double> start;  ///< by symbol: where fits begin; nobody claims these numbers
+  Eigen::Index most_samples = usual_samples;
   /// By mode, rad/s: where the records are, whatever the model's nominal values say; NaN or missing: not known.
   std::vector<double> natural_frequency;
   std::vector<StateForce> forces;  ///< scales are set from the data
@@ -31,6 +37,7 @@ struct DiagnosisOptions {
   Eigen::VectorXd frequency_scatter;
   bool knows_without_scatter = false;  ///< where frequencies turn out to be all the same, nothing is told
   bool blows_as_decays = false;        ///< see SegmentCut
+  bool skips_blows = false;            ///< see SegmentCut
   WanderingZeros wandering;            ///< of responses: no offset of theirs lasts
   ForeignTones tones;                  ///< of records that are compared sample by sample
   ColouredNoises coloured;

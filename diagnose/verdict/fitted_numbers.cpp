@@ -7,40 +7,30 @@
 #include "measure/observe/modal_projection.hpp"
 
 namespace secular {
-namespace {
 
 using Eigen::Index;
 
-class Units {
- public:
-  Units(const Campaign& campaign, const CompiledModel& model)
-      : model_(model), coordinates_(model.modes(), modal_projection(campaign, model).unit) {
-    for (const Channel& channel : campaign.channels)
-      if (channel.role == ChannelRole::excitation) measured_.push_back(channel.unit);
-  }
+SymbolUnits::SymbolUnits(const Campaign& campaign, const CompiledModel& model)
+    : model_(model), coordinates_(model.modes(), modal_projection(campaign, model).unit) {
+  for (const Channel& channel : campaign.channels)
+    if (channel.role == ChannelRole::excitation) measured_.push_back(channel.unit);
+}
 
-  std::string of(std::size_t symbol) const {
-    if (symbol >= model_.symbols.size()) return {};
-    const auto dimension = model_.symbols[symbol].dimension;
-    std::vector<std::string> excitations = measured_;
-    excitations.resize(model_.excitations.size());
-    for (std::size_t e = measured_.size(); e < excitations.size() && !dimension.empty(); ++e)
-      if (dimension[coordinates_.size() + e].numerator != 0) return {};
-    return unit_text(dimension, coordinates_, excitations);
-  }
-
- private:
-  const CompiledModel& model_;
-  std::vector<std::string> coordinates_, measured_;
-};
-
-}  // namespace
+std::string SymbolUnits::of(std::size_t symbol) const {
+  if (symbol >= model_.symbols.size()) return {};
+  const auto dimension = model_.symbols[symbol].dimension;
+  std::vector<std::string> excitations = measured_;
+  excitations.resize(model_.excitations.size());
+  for (std::size_t e = measured_.size(); e < excitations.size() && !dimension.empty(); ++e)
+    if (dimension[coordinates_.size() + e].numerator != 0) return {};
+  return unit_text(dimension, coordinates_, excitations);
+}
 
 FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate*>& members,
                              const std::vector<std::string>& names, const Eigen::MatrixXd& covariance,
                              const Campaign& campaign, const CompiledModel& model) {
   FittedNumbers numbers;
-  const Units units(campaign, model);
+  const SymbolUnits units(campaign, model);
   std::vector<Index> places, unknowns;
   for (std::size_t f = 0; f < fit.free.size(); ++f) {
     if (!fit.identifiable[f]) continue;

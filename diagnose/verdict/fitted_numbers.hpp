@@ -11,6 +11,18 @@
 
 namespace secular {
 
+/// Units of a model's symbols, from those of the channels.
+class SymbolUnits {
+ public:
+  SymbolUnits(const Campaign& campaign, const CompiledModel& model);
+  /// "1" for none, empty where the equations do not fix it, or where it is no symbol of the model.
+  std::string of(std::size_t symbol) const;
+
+ private:
+  const CompiledModel& model_;
+  std::vector<std::string> coordinates_, measured_;
+};
+
 /// Numbers that a fit chose and that the data identify: symbols of the model and faults of the measurement.
 struct FittedNumbers {
   std::vector<std::string> names;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "diagnose/thresholds.hpp"
-#include "diagnose/verdict/comparison.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -17,8 +17,8 @@ constexpr auto& first_scatter = diagnose_thresholds().first_scatter;
 
 }  // namespace
 
-ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
-                     std::optional<double> common_late_s) {
+FittedAlone fitted_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
+                         std::optional<double> common_late_s) {
   Comparison comparison = compare(sides, {}, options);
   std::vector<std::size_t> fitted = comparison.fitted_beside(sides.own);
   if (common_late_s) {
@@ -29,7 +29,13 @@ ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& opti
   }
   InferenceOptions inference_options;
   inference_options.threads = options.threads;
-  const Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  return {std::move(comparison), std::move(alone), common_late_s.has_value()};
+}
+
+ModelAlone left_by(const FittedAlone& fitted, const CampaignAndModel& sides, const DiagnosisOptions& options) {
+  const Comparison& comparison = fitted.comparison;
+  const Inference& alone = fitted.inference;
   double scattering_modes = 0, log_width = 0;
   if (options.frequency_scatter.size() > 0) {
     scattering_modes = static_cast<double>((options.frequency_scatter.array() > no_scatter).count());
@@ -40,7 +46,7 @@ ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& opti
   }
   const RowsLeft left{alone.null.fit.chi_squared, alone.degrees_of_freedom};
   std::vector<SegmentEvidence::Left> of_segments, of_records;
-  if (comparison.segment_evidence && !comparison.discrepancy.admits_own() && !common_late_s &&
+  if (comparison.segment_evidence && !comparison.discrepancy.admits_own() && !fitted.late &&
       is_more_than_noise(left)) {
     of_segments = comparison.segment_evidence->left(alone.null.fit.unknowns);
     of_records = left_of_records(sides, comparison, options, alone.null.fit.unknowns);
@@ -52,6 +58,11 @@ ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& opti
           std::move(of_records),
           scattering_modes,
           log_width};
+}
+
+ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
+                     std::optional<double> common_late_s) {
+  return left_by(fitted_alone(sides, options, common_late_s), sides, options);
 }
 
 bool lateness_takes_more_than_chance(const ModelAlone& without, const ModelAlone& with) {

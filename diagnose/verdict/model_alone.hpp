@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "diagnose/evidence/segment_evidence.hpp"
+#include "diagnose/inference/inference.hpp"
 #include "diagnose/verdict/campaign_and_model.hpp"
+#include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/diagnosis_options.hpp"
 #include "diagnose/verdict/frequency_scatter.hpp"
 #include "diagnose/verdict/gap_detection.hpp"
@@ -33,8 +35,19 @@ struct ModelAlone {
   }
 };
 
+/// The model as it is beside a campaign, fitted.
+struct FittedAlone {
+  Comparison comparison;
+  Inference inference;  ///< without candidates
+  bool late = false;    ///< all responses by one unknown time
+};
+
 /// Takes a small part of the time of a diagnosis. `common_late_s`: with all responses late by one unknown time,
 /// from this one on.
+FittedAlone fitted_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
+                         std::optional<double> common_late_s = {});
+ModelAlone left_by(const FittedAlone& fitted, const CampaignAndModel& sides, const DiagnosisOptions& options);
+/// Both in one.
 ModelAlone fit_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
                      std::optional<double> common_late_s = {});
 

@@ -7,6 +7,7 @@
 #include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/allowances.hpp"
 #include "diagnose/verdict/answer.hpp"
+#include "diagnose/verdict/foreign_search.hpp"
 #include "diagnose/verdict/gap_detection.hpp"
 #include "diagnose/verdict/given_numbers.hpp"
 #include "diagnose/verdict/left_content.hpp"
@@ -29,7 +30,7 @@ class StepByStep {
     StepwiseDiagnosis result;
     const ModelAlone plain = alone({});
     std::vector<Allowance> all{{}};
-    if (is_more_than_noise(plain.left) && !holds_beside_foreign_content(plain)) {
+    if (is_more_than_noise(plain.left) && !holds_beside(plain)) {
       DecayScatter of_decays;
       if (identified) of_decays = find_decay_scatter(identified);
       result.decays_warning = std::move(of_decays.warning);
@@ -66,21 +67,9 @@ class StepByStep {
     return fit_alone(sides_, options_, common_late_s);
   }
 
-  // What is in the readings and no term of the equations makes is allowed for before anything is tried. What is
-  // large hides what is small, and where a line falls is known better beside a model that is fitted beside it.
-  bool holds_beside_foreign_content(ModelAlone left) {
-    const Campaign& campaign = sides_.campaign;
-    const ForeignContent in_records = foreign_;
-    for (std::size_t round = 0; round < diagnose_thresholds().foreign_searches &&
-                                find_left_content(left.of_segments, left.of_records, campaign, foreign_) > 0;
-         ++round) {
-      allow_for(foreign_, campaign, options_);
-      left = alone({});
-      if (!is_more_than_noise(left.left)) return true;
-    }
-    foreign_ = in_records;
-    allow_for(foreign_, campaign, options_);
-    return false;
+  bool holds_beside(const ModelAlone& plain) {
+    return holds_beside_foreign_content(
+        plain, [&] { return alone({}); }, sides_.campaign, foreign_, options_);
   }
 
   void try_all(const std::vector<Allowance>& allowances) {

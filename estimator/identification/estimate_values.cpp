@@ -7,6 +7,7 @@
 #include "estimator/identification/case_quality.hpp"
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/unit_text.hpp"
+#include "estimator/identification/value_errors.hpp"
 #include "estimator/thresholds.hpp"
 #include "numerics/confidence.hpp"
 
@@ -20,22 +21,10 @@ using Eigen::VectorXd;
 /// Percentiles of the bootstrap's interval.
 constexpr auto& bootstrap_tail = estimator_thresholds().interval_tail;
 
-bool significant(const EstimatedValue& value) {
-  return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
-}
-
 void set_errors(EstimatedValue& value, double variance, double open_variance) {
   value.sd = std::sqrt(std::max(0.0, variance));
   value.open_sd = std::sqrt(std::clamp(open_variance, 0.0, std::max(0.0, variance)));
   value.noise_sd = std::sqrt(std::max(0.0, variance - open_variance));
-}
-
-// The misfit joins the error bar; where it dominates that, the value is doubtful (docs/inference.md (15)).
-void add_misfit(EstimatedValue& value, double misfit) {
-  if (!(misfit > 0) || !value.value) return;
-  value.misfit = misfit;
-  value.doubtful = misfit > 2 * value.sd;
-  value.sd = std::hypot(value.sd, 0.5 * misfit);
 }
 
 BootstrapInterval interval_of(VectorXd draws) {
@@ -161,7 +150,7 @@ void fill_lump(const Estimation& e, std::size_t s, std::size_t l, const ColumnQu
     set_errors(value, fit.fit.covariance(at, at), open ? e.open_variance[s](at) : 0);
     if (e.hidden[s].cols() > 0) add_misfit(value, e.hidden[s].row(at).norm());
     value.degrees_of_freedom = fit.fit.degrees_of_freedom;
-    value.significant = significant(value);
+    value.significant = is_significant(value);
     value.partial_f = quality.partial_f[c];
     value.nearly_entangled_with = quality.nearly_entangled_with[c];
     if (s < e.bootstrap_lumps.size() && e.bootstrap_lumps[s].cols() > 0)
@@ -170,6 +159,17 @@ void fill_lump(const Estimation& e, std::size_t s, std::size_t l, const ColumnQu
 }
 
 }  // namespace
+
+bool is_significant(const EstimatedValue& value) {
+  return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
+}
+
+void add_misfit(EstimatedValue& value, double misfit) {
+  if (!(misfit > 0) || !value.value) return;
+  value.misfit = misfit;
+  value.doubtful = misfit > 2 * value.sd;
+  value.sd = std::hypot(value.sd, 0.5 * misfit);
+}
 
 void report_parameters(Estimation& e) {
   const CampaignKnowledge known = campaign_knowledge(e);
@@ -192,7 +192,7 @@ void report_parameters(Estimation& e) {
       value.degrees_of_freedom = e.shared.degrees_of_freedom(at);
       value.from = source_of(e, at);
       value.told_by = cases_of(e, at);
-      value.significant = significant(value);
+      value.significant = is_significant(value);
       value.nearly_entangled_with = near_parameters(e, value.name);
       if (p < e.model.modes()) value.between_records = scatter_of_frequency(e, p);
       if (e.bootstrap.cols() > 0) value.bootstrap = interval_of(e.bootstrap.row(at).transpose());

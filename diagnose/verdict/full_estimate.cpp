@@ -1,0 +1,302 @@
+#include "diagnose/verdict/full_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "diagnose/inference/directions.hpp"
+#include "diagnose/inference/fold_scatter.hpp"
+#include "diagnose/inference/null_fit.hpp"
+#include "diagnose/verdict/foreign_search.hpp"
+#include "diagnose/verdict/told_disturbances.hpp"
+#include "estimator/identification/value_errors.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Share of an unknown in a direction of columns of unit length below which it has no part in it, as in a Refit.
+constexpr double least_part_of_direction = 1e-3;
+
+/// Samples of a stretch that is shown.
+constexpr Index most_shown = 400;
+
+// A fit from one start.
+struct Attempt {
+  FittedAlone fitted;
+  DiagnosisOptions options;
+  ForeignContent foreign;
+  RowsLeft left;
+  bool has_converged() const { return fitted.inference.null.fit.ending == SolverEnding::converged; }
+  bool suffices() const { return has_converged() && !is_more_than_noise(left); }
+};
+
+Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const std::map<std::string, double>& start,
+                const std::vector<Disturbance>& found) {
+  ForeignContent foreign{found, {}, {}};
+  for (const auto& [name, value] : start) options.start.emplace(name, value);
+  allow_for(foreign, sides.campaign, options);
+  FittedAlone fitted = fitted_alone(sides, options);
+  const ModelAlone left = left_by(fitted, sides, options);
+  if (is_more_than_noise(left.left)) {
+    std::optional<FittedAlone> beside;
+    const auto fit_beside = [&] {
+      beside = fitted_alone(sides, options);
+      return left_by(*beside, sides, options);
+    };
+    if (holds_beside_foreign_content(left, fit_beside, sides.campaign, foreign, options))
+      fitted = std::move(*beside);
+  }
+  Discrepancy& discrepancy = fitted.comparison.discrepancy;
+  Refit& fit = fitted.inference.null.fit;
+  fit = bring_to_rest(discrepancy, std::move(fit), options.threads);
+  const RowsLeft at_rest{fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank)};
+  return {std::move(fitted), std::move(options), std::move(foreign), at_rest};
+}
+
+bool is_better(const Attempt& one, const Attempt& other) {
+  if (one.has_converged() != other.has_converged()) return one.has_converged();
+  return one.left.chi_squared < other.left.chi_squared;
+}
+
+Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& options,
+                     const std::vector<std::map<std::string, double>>& starts,
+                     const std::vector<Disturbance>& found) {
+  std::optional<Attempt> best;
+  for (const auto& start : starts) {
+    Attempt next = attempt(sides, options, start, found);
+    if (!best || is_better(next, *best)) best = std::move(next);
+    if (best->suffices()) break;
+  }
+  return std::move(*best);
+}
+
+// What a lack of fit as large as the one that is seen may do to each free unknown (docs/inference.md (47)).
+VectorXd hidden_in(const Refit& fit, const RowsLeft& left) {
+  const double beyond = std::sqrt(std::max(0.0, left.chi_squared - left.freedom));
+  return beyond * fit.covariance.diagonal().cwiseMax(0).cwiseSqrt();
+}
+
+// Symbols that cannot be told apart, a list for each direction that the rows do not see; first those that move no
+// row at all, each by itself.
+std::vector<std::vector<std::string>> not_told_apart(const Refit& fit, const std::vector<std::string>& names) {
+  std::vector<std::vector<std::string>> open;
+  std::vector<Index> moving;
+  for (std::size_t f = 0; f < fit.free.size(); ++f)
+    if (fit.jacobian.col(static_cast<Index>(f)).isZero(0))
+      open.push_back({names[fit.free[f]]});
+    else
+      moving.push_back(static_cast<Index>(f));
+  if (moving.empty()) return open;
+  const Directions directions(fit.jacobian(Eigen::all, moving));
+  for (Index d = directions.rank(); d < directions.of_unknowns().cols(); ++d) {
+    std::vector<std::string> together;
+    for (std::size_t m = 0; m < moving.size(); ++m)
+      if (std::abs(directions.of_unknowns()(static_cast<Index>(m), d)) > least_part_of_direction)
+        together.push_back(names[fit.free[static_cast<std::size_t>(moving[m])]]);
+    open.push_back(std::move(together));
+  }
+  return open;
+}
+
+std::string text_of_direction(const std::vector<std::string>& together) {
+  return together.size() == 1 ? together.front() + ": moves nothing that was measured"
+                              : fmt::format("{}: only together", fmt::join(together, ", "));
+}
+
+// All rows as one equation.
+LackOfFit lack_of_all_rows(const RowsLeft& left, const DetectedGap& gap, std::size_t conditions) {
+  LackOfFit test;
+  test.name = "full equations of motion, all records";
+  test.conditions = conditions;
+  test.f = left.chi_squared / std::max(1.0, left.freedom);
+  test.misfit_ratio = std::sqrt(test.f);
+  test.scatter_ratio = 1;
+  test.beyond = left.chi_squared - left.freedom;
+  test.numerator_df = left.freedom;
+  test.denominator_df = std::numeric_limits<double>::infinity();
+  test.p_value = gap.p_value;
+  test.significant = gap.detected;
+  return test;
+}
+
+std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap, const Campaign& campaign) {
+  std::vector<std::string> warnings;
+  const double ratio = std::sqrt(best.left.chi_squared / std::max(1.0, best.left.freedom));
+  if (!best.has_converged())
+    warnings.push_back(
+        "the fit by the full equations did not come to an end: there are no numbers (rough values of the model's "
+        "parameters under [nominal], or dwells and free decays in the same campaign, are a better start)");
+  if (gap.detected && best.has_converged())
+    warnings.push_back(fmt::format(
+        "the model does not hold: with the numbers that fit best the full equations leave {:.3g} times what the "
+        "measurement repeats to (p = {:.2g}); error bars allow for a misfit as large that the numbers have taken "
+        "up, and where that dominates a number is doubtful. `secular diagnose` looks for what is missing",
+        ratio, gap.p_value));
+  if (gap.noise_misjudged)
+    warnings.push_back(fmt::format(
+        "noise is misjudged: the full equations leave {:.2g} times what the measurement is said to repeat to",
+        ratio));
+  const Comparison& comparison = best.fitted.comparison;
+  warnings.insert(warnings.end(), comparison.warnings.begin(), comparison.warnings.end());
+  for (std::string& warning : disturbed_records(comparison, campaign)) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
+// Relative standard deviation of what only blows tell of a symbol by which an excitation acts: what is between
+// their samples is not known, and may be alike in all (docs/inference.md (42)). 0 where another record is driven,
+// too.
+double blows_are_open_to(const Attempt& best, const CampaignAndModel& sides) {
+  const BetweenSamples& blows = best.fitted.comparison.of_records.of_blows;
+  if (!best.fitted.comparison.conditions.empty()) return 0;
+  for (const RowLabel& label : best.fitted.comparison.discrepancy.labels()) {
+    const RecordKind kind = sides.campaign.records[label.record].kind;
+    if (kind == RecordKind::sweep || kind == RecordKind::broadband) return 0;
+  }
+  return blows.share;
+}
+
+bool acts_by_an_excitation(const CompiledModel& model, std::size_t symbol) {
+  const auto dimension = model.symbols[symbol].dimension;
+  for (std::size_t e = 0; e < model.excitations.size() && !dimension.empty(); ++e)
+    if (dimension[model.modes() + e].numerator != 0) return true;
+  return false;
+}
+
+// Parameters of the model's symbols with their covariance.
+void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndModel& sides, bool lacks) {
+  const Refit& fit = best.fitted.inference.null.fit;
+  const Discrepancy& discrepancy = best.fitted.comparison.discrepancy;
+  const auto symbols = static_cast<Index>(sides.model.symbols.size());
+  const SymbolUnits units(sides.campaign, sides.model);
+  const MatrixXd covariance = covariance_of(fit, discrepancy.labels(), static_cast<double>(discrepancy.freedom()));
+  const VectorXd hidden = hidden_in(fit, best.left);
+  const double open_share = blows_are_open_to(best, sides);
+  estimate.covariance = MatrixXd::Zero(symbols, symbols);
+  estimate.parameter_values = VectorXd::Constant(symbols, NAN);
+  if (best.has_converged()) estimate.parameter_values = fit.unknowns.head(symbols);
+  std::vector<Index> place(static_cast<std::size_t>(symbols), -1);
+  for (std::size_t f = 0; f < fit.free.size(); ++f)
+    if (fit.free[f] < place.size()) place[fit.free[f]] = static_cast<Index>(f);
+  for (std::size_t s = 0; s < place.size(); ++s) {
+    EstimatedValue value;
+    value.name = sides.model.symbols[s].name;
+    value.unit = units.of(s);
+    value.from = "full equations of motion";
+    const Index at = place[s];
+    if (at < 0) {
+      value.fixed = value.identifiable = true;
+      value.value = fit.unknowns(static_cast<Index>(s));
+      estimate.parameter_values(static_cast<Index>(s)) = *value.value;
+    } else if (best.has_converged() && fit.identifiable[static_cast<std::size_t>(at)]) {
+      value.identifiable = true;
+      value.value = fit.unknowns(static_cast<Index>(s));
+      value.noise_sd = std::sqrt(std::max(0.0, covariance(at, at)));
+      if (acts_by_an_excitation(sides.model, s)) value.open_sd = open_share * std::abs(*value.value);
+      value.sd = std::hypot(value.noise_sd, value.open_sd);
+      value.degrees_of_freedom = best.left.freedom;
+      if (lacks) add_misfit(value, hidden(at));
+      value.significant = is_significant(value);
+    }
+    estimate.parameters.push_back(std::move(value));
+  }
+  for (std::size_t s = 0; s < place.size(); ++s)
+    for (std::size_t t = 0; t < place.size(); ++t)
+      if (place[s] >= 0 && place[t] >= 0 && estimate.parameters[s].value && estimate.parameters[t].value)
+        estimate.covariance(static_cast<Index>(s), static_cast<Index>(t)) = covariance(place[s], place[t]);
+}
+
+void take_directions(Estimate& estimate, const Attempt& best, const CompiledModel& model) {
+  const std::vector<std::string> names = best.fitted.comparison.unknown_names(model);
+  for (const std::vector<std::string>& together : not_told_apart(best.fitted.inference.null.fit, names)) {
+    for (EstimatedValue& value : estimate.parameters) {
+      if (std::find(together.begin(), together.end(), value.name) == together.end()) continue;
+      for (const std::string& other : together)
+        if (other != value.name && std::find(value.entangled_with.begin(), value.entangled_with.end(), other) ==
+                                       value.entangled_with.end())
+          value.entangled_with.push_back(other);
+    }
+    estimate.null_directions.push_back({together, text_of_direction(together), {}});
+  }
+}
+
+// Of each record the segment in which its first response is largest.
+std::vector<ComparedStretch> stretches_of(const Attempt& best, const std::set<std::size_t>& records) {
+  std::vector<ComparedStretch> stretches;
+  const Comparison& comparison = best.fitted.comparison;
+  if (!comparison.segment_evidence) return stretches;
+  const VectorXd& unknowns = best.fitted.inference.null.fit.unknowns;
+  for (const SegmentEvidence::Left& left : comparison.segment_evidence->left(unknowns)) {
+    if (left.channel != comparison.sensors.responses.front() || !records.contains(left.record)) continue;
+    Index first = 0, begin = 0;
+    double largest = -1;
+    const Segment* loudest = nullptr;
+    const std::vector<Segment> computed = comparison.segment_evidence->predicted(left.record, unknowns, 1);
+    for (const Segment& s : computed) {
+      const double size = s.response.row(0).squaredNorm();
+      if (size > largest) {
+        largest = size;
+        loudest = &s;
+        begin = first;
+      }
+      first += s.response.cols();
+    }
+    if (loudest == nullptr) continue;
+    const Index shown = std::min(most_shown, loudest->response.cols());
+    ComparedStretch stretch{left.record, left.channel, 0, left.sample_s, {}, {}};
+    stretch.from_s = loudest->in_record_s - 0.5 * static_cast<double>(loudest->response.cols()) * loudest->sample_s;
+    for (Index i = 0; i < shown; ++i) {
+      stretch.measured.push_back(left.reading[static_cast<std::size_t>(begin + i)]);
+      stretch.computed.push_back(loudest->response(0, i));
+    }
+    stretches.push_back(std::move(stretch));
+  }
+  return stretches;
+}
+
+// The disturbances of a diagnosis that says what this fit does.
+std::vector<Disturbance> disturbances_of(const Attempt& best, const CampaignAndModel& sides) {
+  const Comparison& comparison = best.fitted.comparison;
+  const Refit& fit = best.fitted.inference.null.fit;
+  Diagnosis told;
+  told.spans = comparison.spans;
+  if (best.has_converged())
+    told.fitted = fitted_numbers(
+        fit, {}, comparison.unknown_names(sides.model),
+        covariance_of(fit, comparison.discrepancy.labels(), static_cast<double>(comparison.discrepancy.freedom())),
+        sides.campaign, sides.model);
+  return told_disturbances(best.foreign.found, told, best.options, sides.campaign, sides.model);
+}
+
+}  // namespace
+
+FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const DiagnosisOptions& options,
+                                        const std::vector<std::map<std::string, double>>& starts,
+                                        std::vector<Disturbance> found) {
+  const Attempt best = best_attempt(sides, options, starts, found);
+  const Comparison& comparison = best.fitted.comparison;
+  const DetectedGap gap = detect_gap(best.left, best.fitted.inference, {}, 1, {});
+  FullEstimate result;
+  result.has_converged = best.has_converged();
+  result.conditions = comparison.conditions.size() + comparison.segments;
+  result.data_used = comparison.data_used;
+  result.labels = comparison.discrepancy.labels();
+  result.rows = best.fitted.inference.null.fit.rows;
+  for (const RowLabel& label : result.labels) result.records.insert(label.record);
+  result.stretches = stretches_of(best, result.records);
+  result.disturbances = disturbances_of(best, sides);
+  take_parameters(result.estimate, best, sides, gap.detected);
+  if (result.has_converged) take_directions(result.estimate, best, sides.model);
+  result.estimate.lack_of_fit = {{"", {lack_of_all_rows(best.left, gap, result.conditions)}}};
+  result.estimate.warnings = warnings_of(best, gap, sides.campaign);
+  return result;
+}
+
+}  // namespace secular

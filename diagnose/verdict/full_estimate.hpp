@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "diagnose/evidence/discrepancy.hpp"
+#include "diagnose/verdict/campaign_and_model.hpp"
+#include "diagnose/verdict/diagnosis_options.hpp"
+#include "estimator/identification/estimate.hpp"
+#include "measure/disturbances/disturbance.hpp"
+
+namespace secular {
+
+/// A stretch of a record as it was measured, and as the model makes it from the state that it begins with.
+struct ComparedStretch {
+  std::size_t record = 0, channel = 0;  ///< of the campaign
+  double from_s = 0, sample_s = 0;      ///< in the record's time
+  std::vector<double> measured, computed;
+};
+
+/// Numbers of a model by its full equations of motion.
+struct FullEstimate {
+  /// One parameter for every symbol of the model, lack_of_fit of all rows together; no lumps, no cases.
+  Estimate estimate;
+  bool has_converged = false;  ///< else no parameter has a value
+  std::vector<Disturbance> disturbances;
+  std::set<std::size_t> records;  ///< that the numbers rest on
+  std::size_t conditions = 0;     ///< dwells, and segments of the other records
+  double data_used = 0;           ///< of the samples within the window
+  std::vector<RowLabel> labels;
+  Eigen::VectorXd rows;                    ///< what is left, of unit variance where the model holds
+  std::vector<ComparedStretch> stretches;  ///< the loudest of every record that is compared sample by sample
+};
+
+/// Fits the model as it is to all records of the window at once, dwells by their lines and all others sample by
+/// sample, by the rows that a diagnosis compares with (docs/inference.md (47)). Foreign content of the readings is
+/// allowed for as there.
+///
+/// `sides.own`: symbols that are fitted; others are held at `options.start`. `starts`: by symbol, in turn until a
+/// fit ends and leaves no more than noise; the best of them is taken. `found`: what the records hold beside the
+/// motion. Throws InputError as compare().
+FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const DiagnosisOptions& options,
+                                        const std::vector<std::map<std::string, double>>& starts,
+                                        std::vector<Disturbance> found);
+
+}  // namespace secular
