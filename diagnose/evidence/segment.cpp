@@ -232,12 +232,12 @@ class Cutter {
   }
 
   MatrixXd excitation(const Movement& m, Index offset, Index length) const {
-    // One sample more on either side, for the interpolation.
+    // Two samples more on either side, for the interpolation.
     const MatrixXd& samples = m.part.samples;
-    MatrixXd around(samples.cols() - responses_, length + 2);
-    for (Index i = 0; i < length + 2; ++i)
-      around.col(i) = samples.row(std::clamp<Index>(offset + i - 1, 0, samples.rows() - 1)).tail(around.rows());
-    return at_half_samples(around).middleCols(2, 2 * length - 1);
+    MatrixXd around(samples.cols() - responses_, length + 4);
+    for (Index i = 0; i < length + 4; ++i)
+      around.col(i) = samples.row(std::clamp<Index>(offset + i - 2, 0, samples.rows() - 1)).tail(around.rows());
+    return at_half_samples(around).middleCols(4, 2 * length - 1);
   }
 
   const SensorModel& sensors_;
@@ -280,7 +280,9 @@ MatrixXd at_half_samples(const MatrixXd& samples) {
   const auto at = [&](Index i) { return samples.col(std::clamp<Index>(i, 0, count - 1)); };
   for (Index i = 0; i < count; ++i) {
     all.col(2 * i) = at(i);
-    if (i + 1 < count) all.col(2 * i + 1) = (9 * (at(i) + at(i + 1)) - at(i - 1) - at(i + 2)) / 16;
+    if (i + 1 < count)
+      all.col(2 * i + 1) =
+          (150 * (at(i) + at(i + 1)) - 25 * (at(i - 1) + at(i + 2)) + 3 * (at(i - 2) + at(i + 3))) / 256;
   }
   return all;
 }

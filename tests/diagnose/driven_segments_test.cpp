@@ -63,5 +63,22 @@ TEST(DrivenSegments, NumbersAreFoundFromFarOff) {
   }
 }
 
+// Of a tone w at steps h the polynomial through six samples is off by 5 (w h)^6/1024 halfway, and by none at samples.
+TEST(HalfSamples, AreOfSixthOrder) {
+  const auto worst_of = [](double step) {
+    Eigen::MatrixXd samples(1, 40);
+    for (Eigen::Index i = 0; i < 40; ++i) samples(i) = std::cos(step * static_cast<double>(i));
+    const Eigen::MatrixXd all = at_half_samples(samples);
+    EXPECT_EQ(all.cols(), 79);
+    double worst = 0;
+    for (Eigen::Index i = 0; i < 40; ++i) EXPECT_EQ(all(2 * i), samples(i));
+    for (Eigen::Index i = 5; i < 74; i += 2)
+      worst = std::max(worst, std::abs(all(i) - std::cos(step * static_cast<double>(i) / 2)));
+    return worst;
+  };
+  EXPECT_NEAR(worst_of(0.2) / (5.0 / 1024 * std::pow(0.2, 6)), 1, 0.1);
+  EXPECT_NEAR(std::log2(worst_of(0.2) / worst_of(0.1)), 6, 0.1);
+}
+
 }  // namespace
 }  // namespace secular
