@@ -321,6 +321,7 @@ class VirtualTest {
 Campaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
                           unsigned threads, const RecordSink& sink, const Progress& progress) {
   try {
+    if (failure.ending() != Ending::ran_away) throw;
     return VirtualTest(experiment, model, seed).run(threads, sink, progress);
   } catch (const NumericalFailure& failure) {
     throw InputError("", "", failure.what());  // see NumericalFailure: the experiment is what can be changed
