@@ -13,9 +13,9 @@ enum class Ending {
 };
 
 /// A computation that ran and came to no result. No fault of the program's, and none that a better input is sure to
-/// mend: who knows another way catches it; otherwise it ends the program with status 1. The one exception is a
-/// virtual test whose motions run away: they do what its experiment file says, and that is bad input (InputError,
-/// status 2).
+/// mend: who knows another way catches it; otherwise it ends the program with status 1. Input that gives it nothing
+/// to work on (a campaign without a record that the model speaks of) is found before, and is an InputError (status
+/// 2); so are motions of a virtual test that run away, because they do what its experiment file says.
 class NumericalFailure : public std::runtime_error {
  public:
   NumericalFailure(Ending ending, const std::string& message) : std::runtime_error(message), ending_(ending) {}

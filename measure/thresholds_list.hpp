@@ -214,10 +214,10 @@ inline constexpr std::array measure_threshold_list = {
                                  "the same", "no record of the draws", "observe/dwell_observation.cpp"},
     Threshold<MeasureThresholds>{"repeat_frequency", &MeasureThresholds::repeat_frequency, ThresholdKind::tuned,
                                  "relative", "rows of a table with one label that differ by more are refused",
-                                 "no draws: that of a generator", "data/line_table.cpp"},
+                                 "no draws: that of a generator", "data/table_repeats.cpp"},
     Threshold<MeasureThresholds>{"repeat_level", &MeasureThresholds::repeat_level, ThresholdKind::tuned, "relative",
                                  "the same of their level", "no draws: a level that is controlled",
-                                 "data/line_table.cpp"},
+                                 "data/table_repeats.cpp"},
     Threshold<MeasureThresholds>{"halves_at_first", &MeasureThresholds::halves_at_first, ThresholdKind::tuned,
                                  "half periods",
                                  "of a swing that follows the largest excursion, beside one of which "

@@ -13,7 +13,7 @@ struct Axis {
   std::string
       unit;  ///< "m/s^2"; printed as "Response amplitude (m/s²)", with a power of ten where numbers need one
   bool logarithmic = false;
-  std::optional<std::pair<double, double>> range;  ///< low < high; without it the data and a small margin
+  std::optional<std::pair<double, double>> range = {};  ///< low < high; without it the data and a small margin
 };
 
 enum class SeriesStyle {

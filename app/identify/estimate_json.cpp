@@ -128,7 +128,7 @@ Json damping_json(const DampingComparison& comparison) {
 // One entry a record; one of the case where no time of a record is known.
 void add_lateness(Json& list, const CaseLateness& lateness, const Identification& id) {
   Json common = {{"kind", "late_record"}, {"case", lateness.resonance}, {"finding", name_of(lateness.finding)}};
-  common["treated"] = lateness.finding == PhaseFinding::shifted ? "fitted" : "listed";
+  common["treated"] = lateness.finding == PhaseFinding::late ? "fitted" : "listed";
   common["p_value"] = lateness.p_value;
   if (!lateness.assumed_positive.empty()) common["assumed_positive"] = lateness.assumed_positive;
   if (lateness.records.empty()) {

@@ -528,7 +528,7 @@ std::string identification_report(const Identification& id, const std::string& c
   if (!id.disturbances.empty() || !id.lateness.empty()) page.section("Disturbances");
   add_disturbances(page, id.disturbances, id.campaign);
   for (const CaseLateness& lateness : id.lateness)
-    if (lateness.finding == PhaseFinding::shifted) add_lateness(page, lateness);
+    if (lateness.finding == PhaseFinding::late) add_lateness(page, lateness);
   add_null_directions(page, id.estimate);
   if (!id.estimate.damping.empty()) add_damping(page, id.estimate);
   page.section("Lumps");

@@ -7,7 +7,8 @@
 #include <map>
 #include <set>
 
-#include "measure/data/line_table.hpp"
+#include "measure/data/frequency_names.hpp"
+#include "measure/data/line_names.hpp"
 #include "measure/formats/number_table.hpp"
 #include "measure/formats/uff_frf.hpp"
 
@@ -46,13 +47,11 @@ std::vector<double> numbers_of(const LineRow& row) {
   return numbers;
 }
 
-// "run(2).freq", "Frequency [Hz]".
-bool is_frequency_name(const std::string& variable) {
+// "run(2).freq", "Frequency [Hz]", "omega": may hold the frequencies of a table.
+bool may_be_frequency(const std::string& variable) {
   std::string name = bracketed_unit(variable).name;
   name = name.substr(name.rfind('.') + 1);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return name == "f" || name == "freq" || name == "frequency" || name == "omega";
+  return is_frequency_name(name) || name == "omega" || name == "Omega";
 }
 
 }  // namespace
@@ -80,7 +79,7 @@ std::string table_import(const std::filesystem::path& path, const FileInspection
   std::string frequency, channels;
   bool responses = false;
   for (const VariableInspection& variable : file.variables) {
-    if (frequency.empty() && is_frequency_name(variable.name)) frequency = variable.name;
+    if (frequency.empty() && may_be_frequency(variable.name)) frequency = variable.name;
     if (variable.name.ends_with(".re") && variable.type.starts_with(frequency_response)) {
       channels += fmt::format(" --channel {}:response{}", variable.name.substr(0, variable.name.size() - 3),
                               variable.unit.empty() ? ":QUANTITY:UNIT" : "");
@@ -88,9 +87,7 @@ std::string table_import(const std::filesystem::path& path, const FileInspection
     }
   }
   if (frequency.empty()) return {};
-  const CsvName bare = bracketed_unit(frequency);
-  const bool usual =
-      bare.name == "f" || bare.name == "freq" || bare.name == "frequency" || bare.name == "Frequency";
+  const bool usual = is_frequency_name(bracketed_unit(frequency).name);
   return fmt::format(
       "secular import {} -o CAMPAIGN --kind lines{} --channel NAME:excitation:QUANTITY:UNIT{}{}", path.string(),
       usual ? "" : fmt::format(" --column 'f={}'", frequency), responses ? " --level LEVEL" : "",

@@ -34,7 +34,7 @@ double shown_top(const ModalSurvey& survey) {
 }
 
 // At most about 4000 points: of every stretch of lines the largest value, so that no resonance is lost.
-Series thinned(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double top) {
+Series largest_of_stretches(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double top) {
   Series series;
   series.role = SeriesRole::data;
   Index count = 0;
@@ -53,7 +53,7 @@ Figure stabilisation_figure(const ModalSurvey& survey) {
   Figure figure;
   figure.title = "Stabilisation diagram";
   figure.x = {"Frequency", "Hz", false, std::pair(0.0, shown_top(survey))};
-  Series spectrum = thinned(survey.spectrum_hz, survey.spectrum, shown_top(survey));
+  Series spectrum = largest_of_stretches(survey.spectrum_hz, survey.spectrum, shown_top(survey));
   const std::string level = survey.references.empty() ? "Spectrum" : "Frequency response";
   figure.panels.push_back(
       {"", {level, survey.references.empty() ? survey.unit : survey.unit + "/N", true, {}}, {spectrum}});
@@ -136,11 +136,12 @@ Figure response_figure(const ModalSurvey& survey, const SurveyReference& referen
   report::Panel coherence{"", {"Coherence", "", false, std::pair(0.0, 1.05)}, {}};
   for (Index c = 0; c < reference.response.h1.cols() && c < 6; ++c) {
     const Eigen::VectorXd modulus = reference.response.h1.col(c).cwiseAbs();
-    Series series = thinned(reference.response.frequency_hz, modulus, shown_top(survey));
+    Series series = largest_of_stretches(reference.response.frequency_hz, modulus, shown_top(survey));
     series.name = survey.channel_name(c);
     series.group = static_cast<int>(c);
     level.series.push_back(std::move(series));
-    series = thinned(reference.response.frequency_hz, reference.response.coherence.col(c), shown_top(survey));
+    series = largest_of_stretches(reference.response.frequency_hz, reference.response.coherence.col(c),
+                                  shown_top(survey));
     series.group = static_cast<int>(c);
     coherence.series.push_back(std::move(series));
   }

@@ -63,7 +63,7 @@ FrequencyResponseData response_data(const ProcedureData& test, const SaddleNodeF
     data.condition.push_back(o.condition);
   }
   data.omega0 = 0.5 * test.centre;
-  data.linear = damping.shifted_linear;
+  data.linear = damping.lowered_linear;
   (law == NonlinearDamping::quadratic ? data.quadratic : data.cubic) = damping.nonlinear;
   return data;
 }
@@ -142,10 +142,10 @@ ProcedureSection saddle_node_section(const ProcedureData& test, const LawFit& fi
       "= 0. The linear damping is lowered by {:.3g} (as printed: {:.3g}) so that every point lies on the right "
       "side of the line.",
       cubic ? "(5.36), (5.37)" : "(5.34), (5.35)", points.size(), fit.right.residual_sd, comparison,
-      fit.right.linear - fit.right.shifted_linear, fit.printed.linear - fit.printed.shifted_linear);
+      fit.right.linear - fit.right.lowered_linear, fit.printed.linear - fit.printed.lowered_linear);
   section.rows.push_back(procedure_row("mu1/|eta_e|", "m/s", equation,
-                                       {fit.right.shifted_linear, std::sqrt(fit.right.covariance(0, 0)),
-                                        fit.printed.shifted_linear, truth_over("mu1")}));
+                                       {fit.right.lowered_linear, std::sqrt(fit.right.covariance(0, 0)),
+                                        fit.printed.lowered_linear, truth_over("mu1")}));
   section.rows.push_back(procedure_row(
       nonlinear + "/|eta_e|", cubic ? "s/(kg m)" : "", equation,
       {fit.right.nonlinear, std::sqrt(fit.right.covariance(1, 1)), fit.printed.nonlinear, truth_over(nonlinear)}));
@@ -184,8 +184,8 @@ ProcedureSection response_section(const ProcedureData& test, const LawFit& law_f
   };
   section.rows.push_back(procedure_row(
       "mu1", "1/s", "5.40",
-      {right.shifted_linear * eta, product_sd(right.shifted_linear, std::sqrt(right.covariance(0, 0))),
-       printed.shifted_linear * eta_printed, test.truth.symbol("mu1")}));
+      {right.lowered_linear * eta, product_sd(right.lowered_linear, std::sqrt(right.covariance(0, 0))),
+       printed.lowered_linear * eta_printed, test.truth.symbol("mu1")}));
   section.rows.push_back(
       procedure_row(nonlinear, cubic ? "s/(kg m^2)" : "1/(kg^(1/2) m)", "5.40",
                     {right.nonlinear * eta, product_sd(right.nonlinear, std::sqrt(right.covariance(1, 1))),

@@ -37,16 +37,16 @@ Figure saddle_node_figure(const ProcedureData& test, const std::vector<const Dwe
     data.y.push_back(y);
     data.y_error.push_back(2 * (cubic ? 2 * a : 1) * c.amplitude_sd);
     const auto at = static_cast<Index>(i);
-    // The shift lowers the force of the line in proportion to its own factor, 1 as printed.
-    const auto shifted = [&](const SaddleNodeFit& fit) {
+    // The force of the line is lowered in proportion to its own factor, 1 as printed.
+    const auto lowered = [&](const SaddleNodeFit& fit) {
       const double nonlinear =
           fit.nonlinear * (cubic ? 0.375 * std::pow(w0, 3) * a * a : 4 * w0 * w0 / (3 * std::numbers::pi) * a);
       const double factor = fit.fitted(at) / (w0 * fit.linear + nonlinear);
-      return factor * (w0 * fit.shifted_linear + nonlinear);
+      return factor * (w0 * fit.lowered_linear + nonlinear);
     };
-    line.x.push_back(shifted(right));
+    line.x.push_back(lowered(right));
     line.y.push_back(y);
-    other.x.push_back(shifted(printed));
+    other.x.push_back(lowered(printed));
     other.y.push_back(y);
   }
   figure.panels.push_back(
@@ -92,7 +92,7 @@ Figure response_figure(const ProcedureData& test, const SaddleNodeFit& damping,
   // The amplitude where the radicand vanishes, by doubling and bisection.
   const auto radicand = [&](double a) {
     const double d =
-        w0 * damping.shifted_linear + damping.nonlinear * (law == NonlinearDamping::cubic
+        w0 * damping.lowered_linear + damping.nonlinear * (law == NonlinearDamping::cubic
                                                                ? 0.375 * std::pow(w0, 3) * a * a
                                                                : 4 * w0 * w0 / (3 * std::numbers::pi) * a);
     return level * level - d * d;

@@ -26,7 +26,8 @@ using report::SeriesStyle;
 constexpr std::size_t pieces = 800;
 
 // In every piece the value that is farthest from zero, at its place.
-Series thinned(const std::vector<double>& values, double first, double step, std::size_t begin, std::size_t end) {
+Series farthest_from_zero(const std::vector<double>& values, double first, double step, std::size_t begin,
+                          std::size_t end) {
   Series series{"", SeriesStyle::line, SeriesRole::data, {}, {}, {}, {}};
   const std::size_t length = std::max<std::size_t>(1, (end - begin) / pieces);
   for (std::size_t i = begin; i < end; i += length) {
@@ -54,10 +55,11 @@ Figure spectrum_of(const std::vector<double>& samples, double rate, const Distur
   Figure figure;
   figure.title = "Spectrum of the channel with the worst disturbance";
   figure.x = {"Frequency", "Hz", false, {}};
-  figure.panels.push_back({"",
-                           {"Amplitude", unit, true, {}},
-                           {thinned(amplitude, 0, rate / static_cast<double>(length), 0, amplitude.size()),
-                            marked({*tone.frequency_hz}, {tone.size})}});
+  figure.panels.push_back(
+      {"",
+       {"Amplitude", unit, true, {}},
+       {farthest_from_zero(amplitude, 0, rate / static_cast<double>(length), 0, amplitude.size()),
+        marked({*tone.frequency_hz}, {tone.size})}});
   return figure;
 }
 
@@ -76,10 +78,11 @@ Figure history_of(const std::vector<double>& samples, const Record& record, cons
   figure.x = {"Time", "s", false, {}};
   report::Panel panel{"",
                       {"Value", unit, false, {}},
-                      {thinned(samples, record.start_s, step, from - std::min(from, around),
-                               std::min(samples.size(), to + around))}};
+                      {farthest_from_zero(samples, record.start_s, step, from - std::min(from, around),
+                                          std::min(samples.size(), to + around))}};
   if (to - from < samples.size() / 2) {
-    panel.series.push_back(thinned(samples, record.start_s, step, from, std::min(samples.size(), to + 1)));
+    panel.series.push_back(
+        farthest_from_zero(samples, record.start_s, step, from, std::min(samples.size(), to + 1)));
     panel.series.back().name = "disturbance";
     panel.series.back().role = SeriesRole::model;
   }

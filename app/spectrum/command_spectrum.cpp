@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -19,6 +21,7 @@
 #include "app/spectrum/spectrum_report.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/data/frequency_names.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/recorded_span.hpp"
 #include "measure/data/time_axis.hpp"
@@ -286,6 +289,10 @@ RecordSpectrum analysed(const SpectrumArguments& options, const Columns& columns
   return record;
 }
 
+/// Names of the other vectors of a group of steady responses.
+constexpr std::string_view response_names[] = {"amplitude", "response", "acceleration", "displacement"};
+constexpr std::string_view force_names[] = {"force", "excitation"};
+
 // "FRdata.ForceControl(2).frequency" -> "FRdata.ForceControl", "(2)", "frequency".
 struct Member {
   std::string series, level, name;
@@ -317,14 +324,14 @@ ResponseTable response_table(const DataFile& data) {
   }
   for (const std::string& group : order) {
     const auto& members = groups[group];
-    const auto find = [&](std::initializer_list<const char*> names) -> const DataVariable* {
-      for (const char* name : names)
-        if (const auto found = members.find(name); found != members.end()) return found->second;
+    const auto find = [&](std::span<const std::string_view> names) -> const DataVariable* {
+      for (const std::string_view name : names)
+        if (const auto found = members.find(std::string(name)); found != members.end()) return found->second;
       return nullptr;
     };
-    const DataVariable* frequency = find({"frequency", "freq", "f"});
-    const DataVariable* response = find({"amplitude", "response", "acceleration", "displacement"});
-    const DataVariable* force = find({"force", "excitation"});
+    const DataVariable* frequency = find(frequency_names);
+    const DataVariable* response = find(response_names);
+    const DataVariable* force = find(force_names);
     if (!frequency || !response || frequency->values.size() < 2 ||
         response->values.size() != frequency->values.size())
       continue;

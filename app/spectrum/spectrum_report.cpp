@@ -42,7 +42,8 @@ const char* family_name(PoleFamily family) {
 }
 
 // At most about 4000 points: of every stretch the smallest and the largest, so that no peak is lost.
-Series thinned(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const std::string& name, SeriesRole role) {
+Series extremes_of_stretches(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const std::string& name,
+                             SeriesRole role) {
   Series series;
   series.name = name;
   series.role = role;
@@ -82,15 +83,16 @@ Figure history_figure(const RecordSpectrum& record) {
       Eigen::VectorXd::LinSpaced(shown, 0, static_cast<double>(shown - 1)).array() / record.sample_rate_hz;
   const Eigen::VectorXd model = record.survey.decomposition.reconstruct(shown).col(0);
   if (record.excitation.size() >= shown)
-    figure.panels.push_back({"",
-                             {record.excitation_name, record.excitation_unit, false, {}},
-                             {thinned(time, record.excitation.head(shown), "", SeriesRole::reference)}});
+    figure.panels.push_back(
+        {"",
+         {record.excitation_name, record.excitation_unit, false, {}},
+         {extremes_of_stretches(time, record.excitation.head(shown), "", SeriesRole::reference)}});
   for (Index c = 0; c < std::min<Index>(3, record.channels.cols()); ++c)
     figure.panels.push_back(
         {"",
          {record.names[static_cast<std::size_t>(c)], record.units[static_cast<std::size_t>(c)], false, {}},
-         {thinned(time, record.channels.col(c).head(shown), "", SeriesRole::data)}});
-  Series left = thinned(time, record.channels.col(0).head(shown) - model, "", SeriesRole::reference);
+         {extremes_of_stretches(time, record.channels.col(c).head(shown), "", SeriesRole::data)}});
+  Series left = extremes_of_stretches(time, record.channels.col(0).head(shown) - model, "", SeriesRole::reference);
   figure.panels.push_back(
       {"", {record.names.front() + " minus its decomposition", record.units.front(), false, {}}, {left}});
   return figure;
@@ -157,8 +159,8 @@ Figure spectrum_figure(const RecordSpectrum& record) {
     figure.panels.push_back(
         {"",
          level_axis(record.excitation_name, record.excitation_unit, record.excitation_spectrum.amplitude),
-         {thinned(record.excitation_spectrum.frequency_hz, record.excitation_spectrum.amplitude.col(0), "",
-                  SeriesRole::reference)}});
+         {extremes_of_stretches(record.excitation_spectrum.frequency_hz,
+                                record.excitation_spectrum.amplitude.col(0), "", SeriesRole::reference)}});
   const Eigen::VectorXd mean =
       record.spectrum.amplitude.rowwise().norm() / std::sqrt(static_cast<double>(record.spectrum.amplitude.cols()));
   Series tones;
@@ -178,7 +180,8 @@ Figure spectrum_figure(const RecordSpectrum& record) {
   figure.panels.push_back(
       {"",
        level_axis(label, record.units.front(), mean),
-       {thinned(record.spectrum.frequency_hz, mean, "discrete Fourier transform", SeriesRole::data), tones}});
+       {extremes_of_stretches(record.spectrum.frequency_hz, mean, "discrete Fourier transform", SeriesRole::data),
+        tones}});
   return figure;
 }
 
@@ -191,7 +194,7 @@ Figure modal_figure(const RecordSpectrum& record) {
     figure.panels.push_back(
         {"",
          level_axis(record.modes[m], "", all),
-         {thinned(record.modal.frequency_hz, all.col(static_cast<Index>(m)), "", SeriesRole::data)}});
+         {extremes_of_stretches(record.modal.frequency_hz, all.col(static_cast<Index>(m)), "", SeriesRole::data)}});
   return figure;
 }
 

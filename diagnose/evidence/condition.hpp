@@ -17,7 +17,7 @@ struct Condition {
   int fold = 0;            ///< what is left out together when a prediction is checked
   double time_s = 0;       ///< of its middle, of record_times
   /// By mode, relative: the record's natural frequencies next to those of all. Empty: none differs.
-  Eigen::VectorXd record_shift;
+  Eigen::VectorXd frequency_offset;
   Eigen::Index samples = 0;  ///< of all ensembles
   std::shared_ptr<const Torus> torus;
   std::array<std::complex<double>, 2> rate;

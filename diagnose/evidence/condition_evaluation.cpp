@@ -45,7 +45,7 @@ std::vector<double> ConditionEvaluation::at_condition(std::span<const double> pa
 double ConditionEvaluation::factor_at_condition(std::size_t symbol) const {
   if (symbol >= faults_.frequency_drift.size()) return 1;
   const double of_time = 1 + faults_.frequency_drift[symbol] * c_.time_s;
-  return c_.record_shift.size() > 0 ? of_time * (1 + c_.record_shift(static_cast<Index>(symbol))) : of_time;
+  return c_.frequency_offset.size() > 0 ? of_time * (1 + c_.frequency_offset(static_cast<Index>(symbol))) : of_time;
 }
 
 double ConditionEvaluation::measured_displacement() const {

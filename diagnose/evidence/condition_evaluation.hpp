@@ -24,7 +24,8 @@ class ConditionEvaluation {
   const std::vector<double>& parameters() const { return parameters_; }
   /// What parameters of the structure are in this record at the condition's time.
   std::vector<double> at_condition(std::span<const double> parameters) const;
-  /// That of one symbol over what it is for all records: a natural frequency drifts and has a record's own shift.
+  /// That of one symbol over what it is for all records: a natural frequency drifts and has an offset of a record's
+  /// own.
   double factor_at_condition(std::size_t symbol) const;
   /// The largest displacement that the strongest lines could be, 1 where nothing is seen: a size of motions beside
   /// rest.

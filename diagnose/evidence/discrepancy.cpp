@@ -92,7 +92,7 @@ void Discrepancy::freeze(const Eigen::VectorXd& unknowns, double coarse, Lookout
   if (late && record_late_s_.empty()) lookout = Lookout::anywhere;
   for (int round = 1; round <= most_rounds; ++round) {
     for (const auto& part : parts_) {
-      part->shift_records(record_shifts_);
+      part->set_frequency_offsets(frequency_offsets_);
       if (late)
         part->put_in_step(unknowns, coarse, round > 1 ? Lookout::close_by : lookout, record_periods_,
                           record_late_s_);
@@ -142,8 +142,8 @@ void Discrepancy::take_directions(const Eigen::VectorXd& unknowns) {
     columns.rightCols(modes()) = by_frequency(rows, Eigen::all);
     if (columns.isZero(0)) continue;
     Eigen::VectorXd put_in = Eigen::VectorXd::Zero(columns.cols());
-    if (const auto shift = record_shifts_.find(record); shift != record_shifts_.end() && modes() > 0)
-      put_in.tail(modes()) = shift->second.cwiseQuotient(nuisances_.frequency_sd);
+    if (const auto offset = frequency_offsets_.find(record); offset != frequency_offsets_.end() && modes() > 0)
+      put_in.tail(modes()) = offset->second.cwiseQuotient(nuisances_.frequency_sd);
     directions_.emplace(record, RecordDirections(std::move(rows), std::move(columns), std::move(put_in)));
   }
 }
@@ -158,12 +158,12 @@ bool Discrepancy::put_in_own(const Eigen::VectorXd& unknowns) {
   for (const auto& [record, directions] : directions_) {
     Eigen::VectorXd next = directions.likeliest(rows), before = Eigen::VectorXd::Zero(next.size());
     if (!next.allFinite()) continue;
-    Eigen::VectorXd& shift = record_shifts_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
-    before.tail(modes()) = shift.cwiseQuotient(nuisances_.frequency_sd);
+    Eigen::VectorXd& offset = frequency_offsets_.try_emplace(record, Eigen::VectorXd::Zero(modes())).first->second;
+    before.tail(modes()) = offset.cwiseQuotient(nuisances_.frequency_sd);
     next.tail(modes()) = next.tail(modes()).cwiseMax(-most_deviations).cwiseMin(most_deviations);
     next.head(next.size() - modes()).setZero();
-    if (directions.length_of(next - before) < unseen) continue;
-    shift = next.tail(modes()).cwiseProduct(nuisances_.frequency_sd);
+    if (directions.length_of(next - before) < negligible_step) continue;
+    offset = next.tail(modes()).cwiseProduct(nuisances_.frequency_sd);
     moved = true;
   }
   return moved;

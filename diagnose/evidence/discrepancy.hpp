@@ -64,9 +64,9 @@ class Evidence {
   /// where the rows are not finite.
   virtual Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                                  const Eigen::VectorXd& scale, unsigned threads) const;
-  /// Natural frequencies of a record are those of the unknowns times 1 + shift, by record and mode; of a record
+  /// Natural frequencies of a record are those of the unknowns times 1 + offset, by record and mode; of a record
   /// that is not named they are those of the unknowns. Until the next call.
-  virtual void shift_records(const std::map<std::size_t, Eigen::VectorXd>& /*shifts*/) {}
+  virtual void set_frequency_offsets(const std::map<std::size_t, Eigen::VectorXd>& /*offsets*/) {}
   /// Counts these records' responses (period of the excitation in s, by record) as late as is likeliest at these
   /// unknowns, and notes it (s). Until the next call.
   virtual void put_in_step(const Eigen::VectorXd& /*unknowns*/, double /*coarse*/, Lookout /*lookout*/,
@@ -107,11 +107,11 @@ struct OwnLateness {
 /// A natural frequency of one record, relative to that of all.
 struct OwnFrequency {
   std::size_t record = 0, mode = 0;
-  double shift = 0, variance = 0;  ///< by the record's rows alone
+  double offset = 0, variance = 0;  ///< by the record's rows alone
 };
 
 /// Of a standard deviation: a row that moves by less is not seen to.
-inline constexpr double unseen = 0.1;
+inline constexpr double negligible_step = 0.1;
 
 /// All evidence of a campaign as one vector of rows of unit variance, with what differs from record to record
 /// allowed for.
@@ -142,9 +142,9 @@ class Discrepancy {
   /// scatter (docs/inference.md (32)).
   double share_of_records(Eigen::VectorXd column) const;
   /// By mode, relative, as put in; empty: the record has the frequencies of all.
-  Eigen::VectorXd record_shift(std::size_t record) const {
-    const auto own = record_shifts_.find(record);
-    return own == record_shifts_.end() ? Eigen::VectorXd() : own->second;
+  Eigen::VectorXd frequency_offset(std::size_t record) const {
+    const auto own = frequency_offsets_.find(record);
+    return own == frequency_offsets_.end() ? Eigen::VectorXd() : own->second;
   }
   /// Of the late records that tell it, at the unknowns of the last freeze(), within half a period of their mean.
   std::vector<OwnLateness> own_lateness() const;
@@ -161,9 +161,10 @@ class Discrepancy {
 
   std::vector<std::unique_ptr<Evidence>> parts_;
   RecordNuisances nuisances_;
-  std::map<std::size_t, Eigen::VectorXd> record_shifts_;  // of natural frequencies, by record and mode, as put in
-  std::map<std::size_t, double> record_periods_;          // of late records, s
-  std::map<std::size_t, double> record_late_s_;           // as put in, s
+  std::map<std::size_t, Eigen::VectorXd>
+      frequency_offsets_;                         // of natural frequencies, by record and mode, as put in
+  std::map<std::size_t, double> record_periods_;  // of late records, s
+  std::map<std::size_t, double> record_late_s_;   // as put in, s
   // Records are late from where they are on when numbers are first fitted: half a period more or less goes with the
   // other sign of the force.
   bool in_reach_ = false;

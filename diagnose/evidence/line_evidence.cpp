@@ -169,7 +169,7 @@ bool LineEvidence::took_more_lines(std::size_t condition, const VectorXd& unknow
   start.displacement.conservativeResizeLike(MatrixXcd::Zero(start.displacement.rows(), finer.torus->lines()));
   const ConditionRows more = model_.rows(finer, unknowns, &start);
   const VectorXd moved = w.inverse_root * (more.values - few.values)(w.kept);
-  if (!moved.allFinite() || !(moved.cwiseAbs().maxCoeff() > unseen)) return false;
+  if (!moved.allFinite() || !(moved.cwiseAbs().maxCoeff() > negligible_step)) return false;
   c = std::move(finer);
   w.motion = more.motion;
   return true;
@@ -241,10 +241,10 @@ MatrixXd LineEvidence::slopes(const VectorXd& unknowns, const std::vector<std::s
   return columns;
 }
 
-void LineEvidence::shift_records(const std::map<std::size_t, VectorXd>& shifts) {
+void LineEvidence::set_frequency_offsets(const std::map<std::size_t, VectorXd>& offsets) {
   for (Condition& condition : conditions_) {
-    const auto own = shifts.find(condition.record);
-    condition.record_shift = own == shifts.end() ? VectorXd() : own->second;
+    const auto own = offsets.find(condition.record);
+    condition.frequency_offset = own == offsets.end() ? VectorXd() : own->second;
   }
 }
 

@@ -20,7 +20,7 @@ class LineEvidence : public Evidence {
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const override;
-  void shift_records(const std::map<std::size_t, Eigen::VectorXd>& shifts) override;
+  void set_frequency_offsets(const std::map<std::size_t, Eigen::VectorXd>& offsets) override;
   void put_in_step(const Eigen::VectorXd& unknowns, double coarse, Lookout lookout,
                    const std::map<std::size_t, double>& periods, std::map<std::size_t, double>& late_s) override;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const override;

@@ -19,7 +19,7 @@ struct Segment {
   int fold = 0;
   double time_s = 0, in_record_s = 0;  ///< of its middle: of record_times, since the record began
   /// By mode, relative: the record's natural frequencies next to those of all. Empty: none differs.
-  Eigen::VectorXd record_shift;
+  Eigen::VectorXd frequency_offset;
   double sample_s = 0;
   Eigen::MatrixXd excitation;           ///< excitation channels x (2*samples - 1), every half sample; empty: none
   Eigen::MatrixXd response;             ///< response channels x samples

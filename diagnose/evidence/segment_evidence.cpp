@@ -43,10 +43,10 @@ std::vector<SegmentNoise> SegmentEvidence::noise_at(const VectorXd& unknowns,
   return noise_of_segments(segments_, left, unknowns.head(modes), before);
 }
 
-void SegmentEvidence::shift_records(const std::map<std::size_t, VectorXd>& shifts) {
+void SegmentEvidence::set_frequency_offsets(const std::map<std::size_t, VectorXd>& offsets) {
   for (FrozenSegment& f : segments_) {
-    const auto own = shifts.find(f.segment.record);
-    f.segment.record_shift = own == shifts.end() ? VectorXd() : own->second;
+    const auto own = offsets.find(f.segment.record);
+    f.segment.frequency_offset = own == offsets.end() ? VectorXd() : own->second;
   }
 }
 

@@ -34,7 +34,7 @@ MotionStart SegmentModel::start_of(const SegmentTrial& trial, const Faults& faul
   start.parameters.assign(trial.unknowns.data(), trial.unknowns.data() + model_->symbols.size());
   for (std::size_t k = 0; k < model_->modes(); ++k) {
     start.parameters[k] *= 1 + faults.frequency_drift[k] * s.time_s;
-    if (s.record_shift.size() > 0) start.parameters[k] *= 1 + s.record_shift(static_cast<Index>(k));
+    if (s.frequency_offset.size() > 0) start.parameters[k] *= 1 + s.frequency_offset(static_cast<Index>(k));
   }
   start.state = trial.state;
   start.samples = trial.samples;

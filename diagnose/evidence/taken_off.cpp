@@ -9,7 +9,7 @@ namespace {
 
 /// Foreign content of which a state makes all but this share, in the norm, is left in the readings: they hold it
 /// as a state then, and rows see neither.
-constexpr double told_apart = 0.1;
+constexpr double least_own_share = 0.1;
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -30,7 +30,7 @@ void take_foreign_content_off(const SegmentModel& model, FrozenSegment& frozen, 
   MatrixXd both(error.size(), count + states.cols());
   both << seen_columns, states;
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> all;
-  all.setThreshold(told_apart);
+  all.setThreshold(least_own_share);
   const VectorXd content =
       frozen.may_hold.leftCols(count) * all.compute(both).solve(error).head(count).cwiseQuotient(lengths);
   MatrixXd& taken = frozen.taken_off;

@@ -117,8 +117,8 @@ std::vector<std::size_t> offsets_of_derivatives(const CompiledModel& model, cons
 }
 
 // Offsets of zeros that wander.
-bool is_unseen(const Candidate& candidate, const CompiledModel& model, const SensorModel& sensors,
-               const FaultTable& faults, const WanderingZeros& wandering) {
+bool is_wandering_offset(const Candidate& candidate, const CompiledModel& model, const SensorModel& sensors,
+                         const FaultTable& faults, const WanderingZeros& wandering) {
   for (std::size_t c = 0; c < sensors.responses.size(); ++c)
     if (wandering.contains(sensors.responses[c]) &&
         candidate.strengths == std::vector{model.symbols.size() + faults.offset(c)})
@@ -279,7 +279,7 @@ Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffe
   note_scales(result.forces, result.candidates);
   check_left_out(options.left_out, options.catalogue);
   std::erase_if(result.candidates, [&](const Candidate& c) {
-    return options.left_out.contains(c.effect) || is_unseen(c, model, sensors, faults, options.wandering);
+    return options.left_out.contains(c.effect) || is_wandering_offset(c, model, sensors, faults, options.wandering);
   });
   if (!result.conditions.empty())
     result.discrepancy.add(std::make_unique<LineEvidence>(result.condition_model(model), result.conditions,

@@ -119,7 +119,7 @@ class OpenDiagnosis::Stages {
 
   void take_own_of_records() {
     for (Condition& condition : comparison_.conditions) {
-      condition.record_shift = discrepancy().record_shift(condition.record);
+      condition.frequency_offset = discrepancy().frequency_offset(condition.record);
     }
     result_.late = lateness_about(discrepancy());
     for (const OwnLateness& own : result_.late.records)

@@ -59,25 +59,25 @@ FrequencyScatter scatter_about(const Discrepancy& discrepancy, const VectorXd& u
     for (const OwnFrequency& o : all)
       if (o.mode == k) own.push_back(o);
     if (own.size() < 2) continue;
-    VectorXd shift(static_cast<Index>(own.size())), variance(shift.size());
-    for (Index r = 0; r < shift.size(); ++r) {
-      shift(r) = own[static_cast<std::size_t>(r)].shift;
+    VectorXd offset(static_cast<Index>(own.size())), variance(offset.size());
+    for (Index r = 0; r < offset.size(); ++r) {
+      offset(r) = own[static_cast<std::size_t>(r)].offset;
       variance(r) = own[static_cast<std::size_t>(r)].variance;
     }
-    const double total = (shift.array() - shift.mean()).square().sum() / static_cast<double>(own.size() - 1);
+    const double total = (offset.array() - offset.mean()).square().sum() / static_cast<double>(own.size() - 1);
     Between least;
     double freedom = 0;
     bool follow = false, differ = true;
     for (const Settings settings : {amplitude_and_level, level_and_frequency}) {
       const MatrixXd functions = functions_of(own, labels, settings);
-      const Between between = between_records(shift, variance, functions);
+      const Between between = between_records(offset, variance, functions);
       if (least.sd == 0 || between.sd < least.sd) {
         least = between;
         freedom = static_cast<double>(own.size()) - static_cast<double>(functions.cols());
       }
       differ = differ && between.p_value < scatter_alarm;
       const VectorXd weight = (variance.array() + between.sd * between.sd).rsqrt();
-      follow = follow || follows_settings(weight.cwiseProduct(shift), weight.asDiagonal() * functions) !=
+      follow = follow || follows_settings(weight.cwiseProduct(offset), weight.asDiagonal() * functions) !=
                              Following::at_random;
     }
     if (!differ) continue;

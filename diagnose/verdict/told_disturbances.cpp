@@ -104,11 +104,12 @@ std::vector<Disturbance> own_frequencies(const Diagnosis& diagnosis, const Compi
   const FrequencyScatter& scatter = diagnosis.frequency_scatter;
   for (const OwnFrequency& own : scatter.records) {
     Disturbance d = fitted_in(own.record, "record_scatter", diagnosis);
-    d.size = own.shift;
-    d.share = std::abs(own.shift);
-    d.text = fmt::format("{} is {:.2g} % {} the mean (sd {:.1g} %); records differ by {:.2g} % (sd)",
-                         model.symbols[own.mode].name, 100 * std::abs(own.shift), own.shift < 0 ? "below" : "above",
-                         100 * std::sqrt(own.variance), 100 * scatter.sd(static_cast<Eigen::Index>(own.mode)));
+    d.size = own.offset;
+    d.share = std::abs(own.offset);
+    d.text =
+        fmt::format("{} is {:.2g} % {} the mean (sd {:.1g} %); records differ by {:.2g} % (sd)",
+                    model.symbols[own.mode].name, 100 * std::abs(own.offset), own.offset < 0 ? "below" : "above",
+                    100 * std::sqrt(own.variance), 100 * scatter.sd(static_cast<Eigen::Index>(own.mode)));
     found.push_back(std::move(d));
   }
   return found;

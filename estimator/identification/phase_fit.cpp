@@ -31,7 +31,7 @@ constexpr double step_share = 0.03;
 constexpr auto& same_phase = estimator_thresholds().same_phase;
 
 /// Probability that noise makes a minimum higher than it is by what tells it apart.
-constexpr auto& told_apart = estimator_thresholds().phase_alarm;
+constexpr auto& phase_alarm = estimator_thresholds().phase_alarm;
 
 std::complex<double> effect_on_modulation(const PhaseProblem& problem, const EquationData& data, const CaseFit& fit,
                                           std::size_t observation) {
@@ -156,7 +156,7 @@ std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vecto
   std::stable_sort(found.begin(), found.end(),
                    [](const PhaseFit& a, const PhaseFit& b) { return a.sum_of_squares < b.sum_of_squares; });
   while (!found.empty() && (found.back().sum_of_squares - found.front().sum_of_squares) * found.front().left >
-                               chi_squared_upper_quantile(told_apart, 1) * found.front().sum_of_squares)
+                               chi_squared_upper_quantile(phase_alarm, 1) * found.front().sum_of_squares)
     found.pop_back();
   return found;
 }

@@ -183,7 +183,7 @@ bool follow_the_amplitude(const PhaseProblem& problem, const PhaseFit& phases) {
 
 CaseLateness lateness_of(const PhaseProblem& problem, const PhaseFit& phases, std::string assumed_positive) {
   CaseLateness result{std::string(problem.set.resonance->name),
-                      PhaseFinding::shifted,
+                      PhaseFinding::late,
                       {},
                       phases.f,
                       phases.p_value,
@@ -201,8 +201,8 @@ CaseLateness lateness_of(const PhaseProblem& problem, const PhaseFit& phases, st
 
 std::string_view name_of(PhaseFinding finding) {
   switch (finding) {
-    case PhaseFinding::shifted:
-      return "shifted";
+    case PhaseFinding::late:
+      return "shifted";  // the word of estimate.json
     case PhaseFinding::in_part:
       return "in_part";
     case PhaseFinding::nothing_told:
@@ -249,8 +249,8 @@ std::string text_of(const CaseLateness& lateness) {
                                      lateness.assumed_positive);
   const std::string from = fmt::format("{:.3g}", 1e3 * least), to = fmt::format("{:.3g}", 1e3 * most);
   return fmt::format(
-      "case {}: excitation and responses are not in step. In {} records the responses are shifted in time by {} ms "
-      "against the excitation (positive: late; a period is {:.3g} ms). The phase of each record is therefore "
+      "case {}: excitation and responses are not in step. In {} records the responses are {} ms later "
+      "than the excitation (negative: earlier; a period is {:.3g} ms). The phase of each record is therefore "
       "estimated with the parameters, which rest on amplitudes and frequencies alone{}. Check that both are "
       "recorded "
       "by one clock, with one trigger and filters alike",
@@ -322,7 +322,7 @@ bool refine_phases(UnknownPhases& unknown, std::span<const ObservationSet> corre
     const ObservationSet& set = *e.sets[s];
     const auto place = static_cast<std::size_t>(&set - corrected.data());
     const auto found = std::find_if(unknown.cases.begin(), unknown.cases.end(), [&](const CaseLateness& lateness) {
-      return lateness.resonance == set.resonance->name && lateness.finding == PhaseFinding::shifted;
+      return lateness.resonance == set.resonance->name && lateness.finding == PhaseFinding::late;
     });
     if (!set.phase_unknown || found == unknown.cases.end()) continue;
     const PhaseProblem problem(set, estimate.state->blocks[s], e.knowledge, options.threads);

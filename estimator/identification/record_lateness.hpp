@@ -18,7 +18,7 @@ struct RecordLateness {
 
 /// What phases that are free numbers show of a case whose equations do not hold.
 enum class PhaseFinding {
-  shifted,       ///< records out of step: the phases are unknowns of the case
+  late,          ///< records out of step: the phases are unknowns of the case
   in_part,       ///< the equations hold better then, but do not hold
   nothing_told,  ///< records out of step, but the conditions tell nothing without phases
   like_a_law     ///< phases that follow the amplitude, as a law that the model lacks makes them
@@ -30,8 +30,8 @@ std::string_view name_of(PhaseFinding finding);
 /// What records of one case say of it.
 struct CaseLateness {
   std::string resonance;
-  PhaseFinding finding = PhaseFinding::shifted;
-  std::vector<RecordLateness> records;  ///< where they are shifted
+  PhaseFinding finding = PhaseFinding::late;
+  std::vector<RecordLateness> records;  ///< where they are late
   double f = 0;                         ///< docs/inference.md (18)
   double p_value = 1;                   ///< that records in step, of a model that holds, look like this
   /// Half a period more or less turns the sign of the coefficients of the excitation. Where lateness does not tell
@@ -44,7 +44,7 @@ std::string text_of(const CaseLateness& lateness);
 
 /// Sets whose equations are freed of phases that do not hold, and what was found.
 struct UnknownPhases {
-  std::vector<ObservationSet> sets;  ///< freed where phases are shifted or follow the amplitude
+  std::vector<ObservationSet> sets;  ///< freed where records are late or phases follow the amplitude
   std::vector<CaseLateness> cases;   ///< none: phases hold everywhere
   /// Where a sign was assumed: in place of which of `sets` another one would be as good.
   struct Rival {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "measure/data/jitter.hpp"
-#include "measure/data/line_table.hpp"
+#include "measure/data/relative_row.hpp"
 #include "numerics/fill_gaps.hpp"
 
 namespace secular {

@@ -12,9 +12,9 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
-#include "measure/data/line_table.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/whole_folder.hpp"
+#include "measure/data/written_table.hpp"
 #include "measure/formats/channel_name.hpp"
 #include "measure/formats/number_table.hpp"
 #include "measure/thresholds.hpp"
@@ -135,7 +135,7 @@ void CampaignWriter::write(const Campaign& campaign, const RecordEntry& entry, c
 void CampaignWriter::write(const Campaign& campaign, const RecordEntry& entry, const std::vector<LineRow>& rows) {
   const RecordEntry written = as_csv(entry);
   building_->reserve(written.file);
-  const TableColumns table = columns_of(rows, campaign.channels);
+  const WrittenTable table = written_table(rows, campaign.channels);
   std::string text = csv_header(table.names) + csv_rows(table.columns);
   building_->folder.write(written.file, [&] { return std::exchange(text, {}); });
 }

@@ -72,7 +72,7 @@ std::span<const DisturbanceKind> disturbance_catalogue() {
       DisturbanceKind{"uneven_time", "time stamps that scatter about even ones", "rms, s",
                       "beyond the rounding of the stamps", "noise of 2 pi f times the scatter in a tone of f Hz",
                       find_time_scatter},
-      DisturbanceKind{"late_record", "responses shifted in time against their excitation, by record", "s",
+      DisturbanceKind{"late_record", "responses late against their excitation, by record", "s",
                       "by identify, from a case's equations with and without phases of their own (F law)",
                       "phases tell neither damping nor force: the fit does without them"},
       DisturbanceKind{"blow_mismatch", "a blow that does not do what its excitation says, by record",

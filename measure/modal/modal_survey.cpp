@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/modal/modal_assurance.hpp"
 #include "measure/modal/modal_mass.hpp"
@@ -411,8 +412,10 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
   if (!records.impacts().empty()) survey_impacts(survey, records);
   if (!records.decays().empty()) survey_decays(survey, records);
   if (survey.modes.empty())
-    throw InputError(toml_of(survey), "", nothing_stands(survey),
-                     "try another --band, a larger --order, or a part with less noise (--from, --to)");
+    throw NumericalFailure(Ending::out_of_range,
+                           toml_of(survey) + ": " + nothing_stands(survey) +
+                               "; another --band, a larger --order or a part with less noise (--from, --to) may "
+                               "show more");
   MatrixXcd shapes(static_cast<Index>(survey.channels.size()), static_cast<Index>(survey.modes.size()));
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     shapes.col(static_cast<Index>(r)) = survey.modes[r].shape.mean;

@@ -56,9 +56,9 @@ bool explain(UnknownPhases& unknown, const CorrectedEstimate& freed) {
   const bool agrees = !freed.corrected.empty() && !freed.estimate.consistency.significant;
   bool explained = true;
   for (CaseLateness& lateness : unknown.cases) {
-    if (lateness.finding == PhaseFinding::shifted && (!agrees || not_fitting.contains(lateness.resonance)))
+    if (lateness.finding == PhaseFinding::late && (!agrees || not_fitting.contains(lateness.resonance)))
       lateness.finding = PhaseFinding::in_part;
-    explained = explained && (lateness.finding == PhaseFinding::shifted || !is_freed(lateness));
+    explained = explained && (lateness.finding == PhaseFinding::late || !is_freed(lateness));
   }
   return explained;
 }
@@ -80,7 +80,7 @@ void free_phases(const std::vector<ObservationSet>& observed, const EstimateTask
       result.of = std::move(freed);
     } else {
       doubt_what_differs(result.of.estimate, freed.estimate);
-      std::erase_if(unknown.cases, [](const CaseLateness& l) { return l.finding == PhaseFinding::shifted; });
+      std::erase_if(unknown.cases, [](const CaseLateness& l) { return l.finding == PhaseFinding::late; });
     }
   }
   Estimate& estimate = result.of.estimate;

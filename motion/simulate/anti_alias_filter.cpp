@@ -81,7 +81,7 @@ Prototype elliptic(std::size_t order) {
 
 }  // namespace
 
-FilterCascade::FilterCascade(const AntiAliasFilter& filter, double sample_rate_hz) : rate_(sample_rate_hz) {
+FilterCascade::FilterCascade(const AntiAliasFilter& filter, double sample_rate_hz) {
   const Prototype prototype =
       filter.kind == AntiAliasFilter::Kind::butterworth ? butterworth(filter.poles) : elliptic(filter.poles);
   // s = (1 - 1/z)/(1 + 1/z)/tan(pi fc/fs), in units of the cut-off.
@@ -102,7 +102,7 @@ FilterCascade::FilterCascade(const AntiAliasFilter& filter, double sample_rate_h
 }
 
 FilterCascade FilterCascade::high_pass(double corner_hz, double sample_rate_hz) {
-  FilterCascade filter(sample_rate_hz);
+  FilterCascade filter;
   const double c = 1 / std::tan(pi * corner_hz / sample_rate_hz);
   Section section;
   section.b0 = c / (c + 1);
@@ -129,13 +129,6 @@ double FilterCascade::operator()(double input) {
     input = output;
   }
   return input;
-}
-
-std::complex<double> FilterCascade::response(double hz) const {
-  const Complex z = std::polar(1.0, -2 * pi * hz / rate_);
-  Complex product = 1;
-  for (const Section& s : sections_) product *= (s.b0 + (s.b1 + s.b2 * z) * z) / (1.0 + (s.a1 + s.a2 * z) * z);
-  return product;
 }
 
 }  // namespace secular

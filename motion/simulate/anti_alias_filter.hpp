@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -31,17 +30,14 @@ class FilterCascade {
   /// State in which `input` has stood for ever.
   void settle(double input);
   double operator()(double input);
-  /// Steady response at a frequency: phase is the lag that the recorded signal has.
-  std::complex<double> response(double hz) const;
 
  private:
   struct Section {
     double b0 = 1, b1 = 0, b2 = 0, a1 = 0, a2 = 0;
     double z1 = 0, z2 = 0;  ///< transposed direct form II
   };
-  explicit FilterCascade(double sample_rate_hz) : rate_(sample_rate_hz) {}
+  FilterCascade() = default;
 
-  double rate_ = 0;
   std::vector<Section> sections_;
 };
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -323,25 +321,9 @@ Campaign run_virtual_test(const Experiment& experiment, const CompiledModel& mod
   try {
     return VirtualTest(experiment, model, seed).run(threads, sink, progress);
   } catch (const NumericalFailure& failure) {
+    if (failure.ending() != Ending::ran_away) throw;
     throw InputError("", "", failure.what());  // see NumericalFailure: the experiment is what can be changed
   }
-}
-
-SimulatedCampaign run_virtual_test(const Experiment& experiment, const CompiledModel& model, std::uint64_t seed,
-                                   unsigned threads, const Progress& progress) {
-  std::mutex guard;
-  std::map<std::string, Record> finished;
-  SimulatedCampaign result;
-  result.campaign = run_virtual_test(
-      experiment, model, seed, threads,
-      [&](const Campaign&, const RecordEntry& entry, Record&& record) {
-        const std::lock_guard lock(guard);
-        finished[entry.file] = std::move(record);
-      },
-      progress);
-  for (const RecordEntry& entry : result.campaign.records)
-    result.samples.push_back(std::move(finished.at(entry.file)));
-  return result;
 }
 
 }  // namespace secular

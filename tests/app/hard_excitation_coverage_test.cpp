@@ -13,10 +13,10 @@
 
 #include "app/shared/identification.hpp"
 #include "app/simulate/experiment_loading.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "numerics/confidence.hpp"
 #include "tests/process_folder.hpp"
 #include "tests/sensor_noise.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular::app {
 namespace {

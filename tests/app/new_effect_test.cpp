@@ -16,10 +16,10 @@
 #include "effects/catalogue.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign_writer.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "perturb/with_effects.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/places.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular::app {
 namespace {

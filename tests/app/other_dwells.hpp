@@ -6,9 +6,9 @@
 #include <string>
 
 #include "generated/registry.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/places.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular::testing_support {
 

@@ -15,11 +15,11 @@
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/campaign.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/app/other_dwells.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular::app {
 namespace {

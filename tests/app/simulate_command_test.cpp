@@ -13,9 +13,9 @@
 
 #include "app/simulate/experiment_loading.hpp"
 #include "input/input_error.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular::app {
 namespace {

@@ -16,10 +16,10 @@
 #include "diagnose/inference/held_out.hpp"
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/diagnose/pendulum_swing.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular {
 namespace {

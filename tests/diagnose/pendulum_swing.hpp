@@ -4,8 +4,8 @@
 #include <fstream>
 #include <string>
 
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular::testing_support {
 

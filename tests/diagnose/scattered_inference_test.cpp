@@ -22,7 +22,7 @@ constexpr double reading_sd = 0.02;
 /// Records of (1 + u_1 a) cos(u_0 (1 + own) t), each with an amplitude a of its own.
 class Tones : public Evidence {
  public:
-  Tones(const VectorXd& truth, double scatter) : labels_(swings * of_each), shifts_(swings) {
+  Tones(const VectorXd& truth, double scatter) : labels_(swings * of_each), offsets_(swings) {
     std::mt19937_64 random(9);
     std::normal_distribution<double> normal;
     for (std::size_t r = 0; r < labels_.size(); ++r) {
@@ -31,11 +31,11 @@ class Tones : public Evidence {
       labels_[r].amplitude = amplitude(labels_[r].record);
       labels_[r].level = 1;
     }
-    for (double& shift : shifts_) shift = scatter * normal(random);
+    for (double& offset : offsets_) offset = scatter * normal(random);
     measured_ = signal(truth);
     for (double& y : measured_) y += reading_sd * normal(random);
-    own_ = shifts_;
-    shifts_.setZero();
+    own_ = offsets_;
+    offsets_.setZero();
   }
 
   Index size() const override { return swings * of_each; }
@@ -44,9 +44,9 @@ class Tones : public Evidence {
   void evaluate(const VectorXd& unknowns, Eigen::Ref<VectorXd> rows) const override {
     rows = (measured_ - signal(unknowns)) / reading_sd;
   }
-  void shift_records(const std::map<std::size_t, VectorXd>& shifts) override {
-    shifts_.setZero();
-    for (const auto& [record, shift] : shifts) shifts_(static_cast<Index>(record)) = shift(0);
+  void set_frequency_offsets(const std::map<std::size_t, VectorXd>& offsets) override {
+    offsets_.setZero();
+    for (const auto& [record, offset] : offsets) offsets_(static_cast<Index>(record)) = offset(0);
   }
 
   /// Of the frequencies that were put in.
@@ -64,13 +64,13 @@ class Tones : public Evidence {
       const auto record = static_cast<Index>(labels_[r].record);
       const double t = 0.5 * static_cast<double>(r % of_each + 1);
       y(static_cast<Index>(r)) =
-          (1 + unknowns(1) * labels_[r].amplitude) * std::cos(unknowns(0) * (1 + shifts_(record)) * t);
+          (1 + unknowns(1) * labels_[r].amplitude) * std::cos(unknowns(0) * (1 + offsets_(record)) * t);
     }
     return y;
   }
 
   std::vector<RowLabel> labels_;
-  VectorXd shifts_, own_, measured_;
+  VectorXd offsets_, own_, measured_;
 };
 
 /// One law, whose strength is the second unknown.

@@ -79,7 +79,7 @@ TEST_F(ToldDisturbances, AnOffsetThatRecordsShowIsFittedAndNotAddedOnceMore) {
 TEST_F(ToldDisturbances, RecordsThatAreLateOrHaveFrequenciesOfTheirOwnAreAdded) {
   diagnosis.late.records = {{.record = 1, .late_s = -2e-3, .period_s = 0.05}};
   diagnosis.frequency_scatter.sd = Eigen::VectorXd::Constant(1, 0.01);
-  diagnosis.frequency_scatter.records = {{.record = 0, .mode = 0, .shift = 0.02, .variance = 1e-6}};
+  diagnosis.frequency_scatter.records = {{.record = 0, .mode = 0, .offset = 0.02, .variance = 1e-6}};
   const std::vector<Disturbance> found = told();
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].kind, "late_record");

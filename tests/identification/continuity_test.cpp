@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/binomial.hpp>
+#include <cstdint>
 #include <map>
 #include <string>
-#include <utility>
 
 #include "numerics/confidence.hpp"
 #include "recovered_campaign.hpp"
@@ -54,12 +54,18 @@ TEST(SlowContinuity, PrincipalParametricCampaign) {
   for (const auto& [name, count] : hold) EXPECT_GE(count, fewest_that_hold(seeds)) << name;
 }
 
-// Both thesis campaigns are asked where their coverage is. (Of a campaign without noise it is asking too much.)
-class SlowContinuityOf : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+// Both thesis campaigns are asked where their coverage is. Of a campaign without noise (linear_impulse_response) it
+// is asking too much. Two others determine next to nothing, and that may not hang on rounding, either.
+struct ShippedCampaign {
+  const char* experiment;
+  const char* resonance = "";
+  std::uint64_t seeds = 4;
+};
+class SlowContinuityOf : public ::testing::TestWithParam<ShippedCampaign> {};
 
 TEST_P(SlowContinuityOf, Rounding) {
-  const DrawnCampaign campaign(GetParam().first, GetParam().second);
-  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+  const DrawnCampaign campaign(GetParam().experiment, GetParam().resonance);
+  for (std::uint64_t seed = 1; seed <= GetParam().seeds; ++seed) {
     SCOPED_TRACE(seed);
     MadeCampaign made = campaign.drawn(seed);
     const Recovered r = recover(made);
@@ -69,9 +75,11 @@ TEST_P(SlowContinuityOf, Rounding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, SlowContinuityOf,
-                         ::testing::Values(std::pair{"pendulum_decay", ""},
-                                           std::pair{"primary_resonance", "primary"}),
-                         [](const auto& shipped) { return std::string(shipped.param.first); });
+                         ::testing::Values(ShippedCampaign{"pendulum_decay"},
+                                           ShippedCampaign{"primary_resonance", "primary"},
+                                           ShippedCampaign{"shaker_distortion", "primary", 2},
+                                           ShippedCampaign{"two_mass_structure", "", 2}),
+                         [](const auto& shipped) { return std::string(shipped.param.experiment); });
 
 }  // namespace
 }  // namespace secular

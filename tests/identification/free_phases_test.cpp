@@ -63,7 +63,7 @@ TEST_F(SlowFreePhases, OfRecordsInStepThePhasesStayAsMeasured) {
 TEST_F(SlowFreePhases, RecordsThatAreLateTellTheirNumbersWithPhasesAsUnknowns) {
   const PhasedEstimate found = estimated(late());
   ASSERT_EQ(found.lateness.size(), 1U);
-  EXPECT_EQ(found.lateness.front().finding, PhaseFinding::shifted);
+  EXPECT_EQ(found.lateness.front().finding, PhaseFinding::late);
   EXPECT_EQ(found.freed.size(), 1U);
   EXPECT_TRUE(found.of.measured.front().phase_unknown);
   for (const char* name : {"omega0", "mu1"}) expect_truth(found.of.estimate, name);

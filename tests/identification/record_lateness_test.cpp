@@ -72,7 +72,7 @@ TEST_P(Lateness, IsFoundAndIntervalsHold) {
     const ObservationSet measured = with_lateness(in_step, late);
     const UnknownPhases found = phases_of(measured, estimate_of(measured));
     ASSERT_EQ(found.cases.size(), 1U) << kind.name << ", draw " << draw;
-    ASSERT_EQ(found.cases.front().finding, PhaseFinding::shifted) << kind.name << ", draw " << draw;
+    ASSERT_EQ(found.cases.front().finding, PhaseFinding::late) << kind.name << ", draw " << draw;
     const CaseLateness& what = found.cases.front();
     ASSERT_EQ(what.records.size(), late.size());
     // Up to half a period, common to all, where the sign of the excitation is not told.
@@ -187,7 +187,7 @@ TEST(RecordLateness, IsNotFoundForAStiffnessThatIsMissing) {
         const Estimate so_far = estimate(std::span(&set, 1), units, options);
         const UnknownPhases found = find_unknown_phases(std::span(&set, 1), units, options, so_far);
         for (const CaseLateness& one : found.cases) {
-          EXPECT_NE(one.finding, PhaseFinding::shifted) << spread << ", " << quintic << ", draw " << draw;
+          EXPECT_NE(one.finding, PhaseFinding::late) << spread << ", " << quintic << ", draw " << draw;
           // What it is compared with has to differ from it.
           EXPECT_EQ(found.sets.front().phase_unknown, one.finding == PhaseFinding::like_a_law);
         }
@@ -207,7 +207,7 @@ TEST(RecordLateness, IsFoundOrSaidWhereverDwellsStand) {
       const Estimate so_far = estimate(std::span(&measured, 1), units, options);
       const UnknownPhases found = find_unknown_phases(std::span(&measured, 1), units, options, so_far);
       if (spread < 0.1) {
-        for (const CaseLateness& one : found.cases) EXPECT_NE(one.finding, PhaseFinding::shifted) << draw;
+        for (const CaseLateness& one : found.cases) EXPECT_NE(one.finding, PhaseFinding::late) << draw;
         if (found.cases.empty()) {
           EXPECT_TRUE(value_of(so_far, "mu1").doubtful) << draw;
           EXPECT_TRUE(value_of(so_far, "eta_e").doubtful) << draw;
@@ -215,7 +215,7 @@ TEST(RecordLateness, IsFoundOrSaidWhereverDwellsStand) {
         continue;
       }
       ASSERT_EQ(found.cases.size(), 1U) << spread << ", draw " << draw;
-      EXPECT_EQ(found.cases.front().finding, PhaseFinding::shifted) << spread << ", draw " << draw;
+      EXPECT_EQ(found.cases.front().finding, PhaseFinding::late) << spread << ", draw " << draw;
       EXPECT_EQ(found.cases.front().records.size(), static_cast<std::size_t>(truth.conditions));
       const Estimate result = estimate(found.sets, units, options);
       for (const auto& [name, value] :

@@ -10,9 +10,9 @@
 #include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "measure/observe/modal_projection.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/places.hpp"
 #include "tests/sensor_noise.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 // Virtual tests in memory and what is identified from them.
 namespace secular::testing_support {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole.hpp"
 #include "numerics/confidence.hpp"
@@ -63,7 +63,7 @@ std::vector<SurveyMode> modes_of(const Decay& decay, std::uint64_t seed) {
   std::vector<SurveyMode> modes;
   try {
     modes = modal_survey(folder, {}).modes;
-  } catch (const InputError& error) {
+  } catch (const NumericalFailure& error) {
     ADD_FAILURE() << decay.name << ", " << seed << ": " << error.what();
   }
   fs::remove_all(folder);

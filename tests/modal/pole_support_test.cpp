@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/noise_whitening.hpp"
 #include "numerics/distribution.hpp"
@@ -36,7 +36,7 @@ std::vector<SurveyMode> modes_of(const NoisyModes& made, std::uint64_t seed) {
   std::vector<SurveyMode> modes;
   try {
     modes = modal_survey(folder, {}).modes;
-  } catch (const InputError& error) {
+  } catch (const NumericalFailure& error) {
     const std::string what = error.what();
     EXPECT_TRUE(what.find("stands out of the noise") != std::string::npos ||
                 what.find("no mode stands") != std::string::npos)

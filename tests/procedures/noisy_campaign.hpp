@@ -8,9 +8,9 @@
 #include "generated/registry.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/observation_set.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/places.hpp"
 #include "tests/sensor_noise.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular::testing_support {
 

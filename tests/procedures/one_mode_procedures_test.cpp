@@ -81,9 +81,9 @@ TEST_P(SaddleNode, TheShiftPutsEveryPointToTheRight) {
   const SaddleNodeFit fit = saddle_node_regression(GetParam(), amplitude, scattered, omega0);
   double closest = 1e300;
   for (Index i = 0; i < 8; ++i)
-    closest = std::min(closest, scattered(i) - fit.fitted(i) - omega0 * (fit.shifted_linear - fit.linear));
+    closest = std::min(closest, scattered(i) - fit.fitted(i) - omega0 * (fit.lowered_linear - fit.linear));
   EXPECT_NEAR(closest, 0, 1e-11);
-  EXPECT_LT(fit.shifted_linear, fit.linear);
+  EXPECT_LT(fit.lowered_linear, fit.linear);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, SaddleNode, testing::Values(NonlinearDamping::quadratic, NonlinearDamping::cubic),

@@ -12,11 +12,14 @@
 #include "motion/simulate/experiment.hpp"
 #include "motion/simulate/motion.hpp"
 #include "motion/simulate/sensor_placement.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/simulate/filter_response.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular {
 namespace {
+
+using testing_support::FilterResponse;
 
 constexpr double pi = std::numbers::pi;
 constexpr Integrator every_method[] = {Integrator::dormand_prince, Integrator::bulirsch_stoer,
@@ -199,24 +202,24 @@ TEST(Armature, IsASecondOrderSystemWithTheStructureOnIt) {
 
 TEST(AntiAlias, FiltersMeetTheirNames) {
   for (const std::size_t poles : {2UL, 4UL, 8UL, 12UL}) {
-    const FilterCascade butterworth({AntiAliasFilter::Kind::butterworth, poles, 100, 8}, 2048);
-    EXPECT_NEAR(std::abs(butterworth.response(0)), 1, 1e-12);
-    EXPECT_NEAR(std::abs(butterworth.response(100)), std::sqrt(0.5), 1e-10);
+    const FilterResponse butterworth(FilterCascade({AntiAliasFilter::Kind::butterworth, poles, 100, 8}, 2048),
+                                     2048);
+    EXPECT_NEAR(std::abs(butterworth(0)), 1, 1e-12);
+    EXPECT_NEAR(std::abs(butterworth(100)), std::sqrt(0.5), 1e-10);
     // |H|^2 = 1/(1 + (W/Wc)^2n) in the bilinear transform's frequency W = tan(pi f/fs).
     for (const double f : {40.0, 90.0, 150.0, 400.0}) {
       const double ratio = std::tan(pi * f / 2048) / std::tan(pi * 100 / 2048);
-      EXPECT_NEAR(std::norm(butterworth.response(f)) * (1 + std::pow(ratio, 2 * static_cast<double>(poles))), 1,
-                  1e-8);
+      EXPECT_NEAR(std::norm(butterworth(f)) * (1 + std::pow(ratio, 2 * static_cast<double>(poles))), 1, 1e-8);
     }
   }
-  const FilterCascade elliptic({AntiAliasFilter::Kind::elliptic, 8, 100, 8}, 2048);
+  const FilterResponse elliptic(FilterCascade({AntiAliasFilter::Kind::elliptic, 8, 100, 8}, 2048), 2048);
   const double ripple = std::pow(10, 0.1 / 20);
   double top = 0, bottom = 2, stop = 0;
   for (int i = 0; i <= 1000; ++i) {
-    const double gain = std::abs(elliptic.response(0.1 * i));
+    const double gain = std::abs(elliptic(0.1 * i));
     top = std::max(top, gain);
     bottom = std::min(bottom, gain);
-    stop = std::max(stop, std::abs(elliptic.response(142 + 0.88 * i)));
+    stop = std::max(stop, std::abs(elliptic(142 + 0.88 * i)));
   }
   // Eight poles, 0.1 dB, 80 dB: the degree equation puts the stop band's edge at 1.410 times the cut-off.
   // An even order starts in a trough of the ripple; its gain at zero frequency is one.
@@ -231,7 +234,7 @@ TEST(AntiAlias, ASettledFilterAndASteadyToneFollowTheResponse) {
   filter.settle(3);
   for (int i = 0; i < 100; ++i) EXPECT_NEAR(filter(3), 3, 1e-10);
   FilterCascade fresh({AntiAliasFilter::Kind::elliptic, 6, 20, 8}, 500);
-  const std::complex<double> gain = fresh.response(13);
+  const std::complex<double> gain = FilterResponse(fresh, 500)(13);
   for (int i = 0; i < 3000; ++i) {
     const double y = fresh(std::cos(2 * pi * 13 * i / 500));
     if (i > 2000) {
@@ -239,8 +242,9 @@ TEST(AntiAlias, ASettledFilterAndASteadyToneFollowTheResponse) {
     }
   }
   FilterCascade coupling = FilterCascade::high_pass(0.5, 500);
-  EXPECT_NEAR(std::abs(coupling.response(0)), 0, 1e-14);
-  EXPECT_NEAR(std::abs(coupling.response(0.5)), std::sqrt(0.5), 1e-12);
+  const FilterResponse of_coupling(coupling, 500);
+  EXPECT_NEAR(std::abs(of_coupling(0)), 0, 1e-14);
+  EXPECT_NEAR(std::abs(of_coupling(0.5)), std::sqrt(0.5), 1e-12);
   coupling.settle(7);
   EXPECT_NEAR(coupling(7), 0, 1e-12);
 }
@@ -309,13 +313,13 @@ TEST_F(Sensors, AntiAliasFilterStopsWhatWouldFoldBack) {
   const Record folded = simulated(std::string(plain_response) + one_dwell + shaker).samples[0];
   const Record clean = simulated(std::string(plain_response) + one_dwell + shaker + filter).samples[0];
   EXPECT_NEAR(std::abs(line(folded.channels[0], 76)), 1.0, 1e-6);
-  const FilterCascade stated({AntiAliasFilter::Kind::elliptic, 8, 100, 8}, 2048);
-  EXPECT_NEAR(std::abs(line(clean.channels[0], 76)), std::abs(stated.response(180)), 1e-7);
+  const FilterResponse stated(FilterCascade({AntiAliasFilter::Kind::elliptic, 8, 100, 8}, 2048), 2048);
+  EXPECT_NEAR(std::abs(line(clean.channels[0], 76)), std::abs(stated(180)), 1e-7);
   EXPECT_LT(std::abs(line(clean.channels[1], 76)) / std::abs(line(folded.channels[1], 76)), 1.02e-4);
   // In the pass band: gain and lag of the filter, the same on every channel.
   for (std::size_t c = 0; c < 2; ++c) {
     const std::complex<double> gain = line(clean.channels[c], 60) / line(folded.channels[c], 60);
-    EXPECT_NEAR(std::abs(gain - stated.response(60)), 0, 1e-6) << c;
+    EXPECT_NEAR(std::abs(gain - stated(60)), 0, 1e-6) << c;
   }
 }
 
@@ -323,8 +327,8 @@ TEST_F(Sensors, AcCouplingTakesTheMeanAway) {
   const std::string coupled = std::string(plain_response) + "high_pass_hz = 2.0\n";
   const Record plain = simulated(std::string(plain_response) + one_dwell).samples[0];
   const Record record = simulated(coupled + one_dwell).samples[0];
-  const FilterCascade stated = FilterCascade::high_pass(2, 256);
-  EXPECT_NEAR(std::abs(line(record.channels[1], 60) / line(plain.channels[1], 60) - stated.response(60)), 0, 1e-6);
+  const FilterResponse stated(FilterCascade::high_pass(2, 256), 256);
+  EXPECT_NEAR(std::abs(line(record.channels[1], 60) / line(plain.channels[1], 60) - stated(60)), 0, 1e-6);
 }
 
 TEST_F(Sensors, ShakerArmatureIsWhatIsMeasured) {

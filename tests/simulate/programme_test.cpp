@@ -10,8 +10,8 @@
 #include "motion/simulate/excitation_signal.hpp"
 #include "motion/simulate/experiment.hpp"
 #include "motion/simulate/sensor_fault.hpp"
-#include "motion/simulate/virtual_test.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular {
 namespace {

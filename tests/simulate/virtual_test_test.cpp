@@ -1,4 +1,3 @@
-#include "motion/simulate/virtual_test.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +12,7 @@
 #include "motion/simulate/noise.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/simulate/simulated_campaign.hpp"
 
 namespace secular {
 namespace {

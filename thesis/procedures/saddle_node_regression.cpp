@@ -56,9 +56,9 @@ SaddleNodeFit saddle_node_regression(NonlinearDamping law, const Eigen::Ref<cons
   const Eigen::Matrix2d inverse = (unit.transpose() * unit).inverse();
   fit.covariance = fit.residual_sd * fit.residual_sd * norm.cwiseInverse().asDiagonal() * inverse *
                    norm.cwiseInverse().asDiagonal();
-  double shift = 0;
-  for (Index i = 0; i < count; ++i) shift = std::max(shift, -residual(i) / (factor(i) * omega0));
-  fit.shifted_linear = fit.linear - shift;
+  double by = 0;
+  for (Index i = 0; i < count; ++i) by = std::max(by, -residual(i) / (factor(i) * omega0));
+  fit.lowered_linear = fit.linear - by;
   return fit;
 }
 

@@ -14,9 +14,9 @@ enum class NonlinearDamping {
 struct SaddleNodeFit {
   double linear = 0;           ///< mu1/|eta_e|, least squares
   double nonlinear = 0;        ///< mu2/|eta_e| or mu3/|eta_e|
-  double shifted_linear = 0;   ///< mu1/|eta_e| lowered until no point lies left of the line
+  double lowered_linear = 0;   ///< mu1/|eta_e| lowered until no point lies left of the line
   Eigen::Matrix2d covariance;  ///< of (linear, nonlinear), from residuals
-  Eigen::VectorXd fitted;      ///< force of the line at every amplitude, before the shift
+  Eigen::VectorXd fitted;      ///< force of the line at every amplitude, before it is lowered
   double residual_sd = 0;      ///< of the force
   bool converged = true;
 };
