@@ -80,6 +80,7 @@ void print_not_separated(const Estimate& estimate) {
 }
 
 void print_summary(const FullIdentification& run, const std::string& folder) {
+  const report::PlainNumbers plain(prints_for_programs());
   const Identification& id = run.of;
   const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
   fmt::print("model {}, by the full equations: {}; {} of the samples\n", id.model->name, records_in_words(run),
@@ -164,7 +165,7 @@ Equations equations_of(const IdentifyArguments& options) {
   const std::vector<std::string> of_modulation = options_of_modulation(options);
   if (options.by == Equations::full && !of_modulation.empty())
     throw InputError(of_modulation.front(), "", "is of the modulation equations",
-                     "leave it out, or --by full-equations");
+                     "leave it out, or --by modulation-equations");
   if (options.by) return *options.by;
   if (!of_modulation.empty()) return Equations::modulation;
   return equations_for(read_campaign(options.request.campaign), options.request.window);
@@ -213,7 +214,8 @@ void add_identify_command(CLI::App* command, Action& chosen) {
           "impacts need them, and choose them); modulation-equations: of the resonance cases, dwells and "
           "free decays alone")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Equations>{
-          {"full-equations", Equations::full}, {"modulation-equations", Equations::modulation}}));
+          {"full-equations", Equations::full}, {"modulation-equations", Equations::modulation}}))
+      ->option_text("full-equations|modulation-equations");
   options->selection.add_to(*command);
   command->add_option(
       "--fix", options->fixed,

@@ -18,6 +18,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Where it is one for all modes: bands of a survey have windows of their own.
+std::optional<double> window_of_all(const ModalSurvey& survey) {
+  std::optional<double> length;
+  for (const SurveyMode& mode : survey.modes) {
+    if (length && *length != mode.window_s) return std::nullopt;
+    if (mode.window_s > 0) length = mode.window_s;
+  }
+  return length;
+}
+
 Json rows(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   Json array = Json::array();
   for (Eigen::Index r = 0; r < matrix.rows(); ++r) array.push_back(list_json(matrix.row(r).transpose()));
@@ -70,6 +80,7 @@ Json mode_json(const ModalSurvey& survey, std::size_t r) {
                             {"orders", mode.diagram.orders},
                             {"frequency_spread_hz", mode.diagram.frequency_spread * to_hz},
                             {"damping_ratio_spread", mode.diagram.damping_spread}};
+  if (mode.window_s > 0) entry["window_s"] = mode.window_s;
   if (mode.amplitude)
     entry["amplitude_dependence"] = {{"windows", mode.amplitude->windows},
                                      {"amplitude_unit", survey.unit},
@@ -143,7 +154,7 @@ std::string modal_json(const ModalSurvey& survey) {
                                        {"stable_frequency", pole.stable_frequency},
                                        {"stable_damping", pole.stable_damping},
                                        {"stable_shape", pole.stable_shape}});
-  if (survey.window_s > 0) result["window_s"] = survey.window_s;
+  if (const std::optional<double> length = window_of_all(survey)) result["window_s"] = *length;
   result["windows"] = Json::array();
   for (const ModeWindow& window : survey.windows)
     result["windows"].push_back({{"record", survey.campaign.records[window.record].file},

@@ -1,6 +1,7 @@
 #include "app/modal/modal_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +29,19 @@ std::string mode_name(std::size_t r) {
   return fmt::format("v{}", r + 1);
 }
 
+// Of the modes, each once: bands of a survey have windows of their own.
+std::vector<std::string> window_lengths(const ModalSurvey& survey) {
+  std::vector<std::string> lengths;
+  for (const SurveyMode& mode : survey.modes) {
+    if (!mode.amplitude) continue;
+    std::string length = report::format_number(mode.window_s, 4);
+    if (lengths.empty() || lengths.back() != length) lengths.push_back(std::move(length));
+  }
+  return lengths;
+}
+
 double shown_top(const ModalSurvey& survey) {
-  const double top = survey.spectrum_hz(survey.spectrum_hz.size() - 1);
+  const double top = survey.spectrum_hz.size() > 0 ? survey.spectrum_hz(survey.spectrum_hz.size() - 1) : 0;
   return survey.options.highest_hz > 0 ? std::min(top, 1.1 * survey.options.highest_hz) : top;
 }
 
@@ -263,7 +275,7 @@ void add_amplitude_dependence(report::HtmlReport& page, const ModalSurvey& surve
   page.paragraph(
       fmt::format("Windows of {} s; frequency and damping factor are imaginary and real part of the pole "
                   "over 2 pi.",
-                  report::format_number(survey.window_s, 4)));
+                  fmt::join(window_lengths(survey), ", ")));
   int figures = 0;
   for (std::size_t r = 0; r < survey.modes.size(); ++r)
     if (survey.modes[r].amplitude && figures++ < 6)

@@ -33,8 +33,9 @@ struct Segment {
   std::vector<Eigen::Index> uncompared;  ///< samples, in order, whose readings do not count
 };
 
-/// Channels x samples -> channels x (2*samples - 1): values and those halfway between, by the polynomial through the six
-/// around them (beyond either end the last value stands), which is off by 5 (w h)^6/1024 of a tone w at steps h.
+/// Channels x samples -> channels x (2*samples - 1): values and those halfway between, by the polynomial through
+/// the six around them (beyond either end the last value stands), which is off by 5 (w h)^6/1024 of a tone w at
+/// steps h.
 Eigen::MatrixXd at_half_samples(const Eigen::MatrixXd& samples);
 
 enum class SegmentLength {

@@ -4,16 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "diagnose/inference/directions.hpp"
 #include "diagnose/inference/fold_scatter.hpp"
 #include "diagnose/inference/null_fit.hpp"
+#include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/foreign_search.hpp"
 #include "diagnose/verdict/told_disturbances.hpp"
 #include "estimator/identification/value_errors.hpp"
+#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -111,6 +112,21 @@ std::string text_of_direction(const std::vector<std::string>& together) {
                               : fmt::format("{}: only together", fmt::join(together, ", "));
 }
 
+// Of the noise that rows are measured by, where a record's spectrum tells it: a fourth of its samples
+// (docs/inference.md (47)).
+double noise_freedom(const RowsLeft& left) {
+  return std::max(1.0, 0.25 * left.freedom);
+}
+
+// Whether what is left is more than noise, whose own size is known from as many values as noise_freedom() says.
+DetectedGap gap_of(const Attempt& best) {
+  DetectedGap gap = detect_gap(best.left, best.fitted.inference, {}, 1, {});
+  const double freedom = std::max(1.0, best.left.freedom);
+  gap.p_value = f_upper_tail(best.left.chi_squared / freedom, freedom, noise_freedom(best.left));
+  gap.detected = gap.p_value < diagnose_thresholds().gap_alarm;
+  return gap;
+}
+
 // All rows as one equation.
 LackOfFit lack_of_all_rows(const RowsLeft& left, const DetectedGap& gap, std::size_t conditions) {
   LackOfFit test;
@@ -121,13 +137,14 @@ LackOfFit lack_of_all_rows(const RowsLeft& left, const DetectedGap& gap, std::si
   test.scatter_ratio = 1;
   test.beyond = left.chi_squared - left.freedom;
   test.numerator_df = left.freedom;
-  test.denominator_df = std::numeric_limits<double>::infinity();
+  test.denominator_df = noise_freedom(left);
   test.p_value = gap.p_value;
   test.significant = gap.detected;
   return test;
 }
 
-std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap, const Campaign& campaign) {
+std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap, std::size_t stretches,
+                                     const Campaign& campaign) {
   std::vector<std::string> warnings;
   const double ratio = std::sqrt(best.left.chi_squared / std::max(1.0, best.left.freedom));
   if (!best.has_converged())
@@ -140,6 +157,10 @@ std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap
         "measurement repeats to (p = {:.2g}); error bars allow for a misfit as large that the numbers have taken "
         "up, and where that dominates a number is doubtful. `secular diagnose` looks for what is missing",
         ratio, gap.p_value));
+  if (stretches == 1)
+    warnings.push_back(
+        "all numbers rest on one stretch of one record: how far they differ from stretch to stretch is in no error "
+        "bar");
   if (gap.noise_misjudged)
     warnings.push_back(fmt::format(
         "noise is misjudged: the full equations leave {:.2g} times what the measurement is said to repeat to",
@@ -282,7 +303,7 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
                                         std::vector<Disturbance> found) {
   const Attempt best = best_attempt(sides, options, starts, found);
   const Comparison& comparison = best.fitted.comparison;
-  const DetectedGap gap = detect_gap(best.left, best.fitted.inference, {}, 1, {});
+  const DetectedGap gap = gap_of(best);
   FullEstimate result;
   result.has_converged = best.has_converged();
   result.conditions = comparison.conditions.size() + comparison.segments;
@@ -295,7 +316,7 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   take_parameters(result.estimate, best, sides, gap.detected);
   if (result.has_converged) take_directions(result.estimate, best, sides.model);
   result.estimate.lack_of_fit = {{"", {lack_of_all_rows(best.left, gap, result.conditions)}}};
-  result.estimate.warnings = warnings_of(best, gap, sides.campaign);
+  result.estimate.warnings = warnings_of(best, gap, result.conditions, sides.campaign);
   return result;
 }
 

@@ -67,6 +67,7 @@ struct SurveyMode {
   StableMode diagram;             ///< what stood in the stabilisation diagram
   MeanShape shape;                ///< scaled by Eq. (2.2)
   double phase_collinearity = 0;
+  double window_s = 0;  ///< length of its windows; 0: it has none
   std::optional<AmplitudeDependence> amplitude;
   std::vector<MassEstimate> masses;
   std::optional<double> mass;  ///< kg
@@ -98,7 +99,6 @@ struct ModalSurvey {
   Eigen::MatrixXd mac;                      ///< of the modes' shapes
   std::vector<SurveyReference> references;  ///< empty without measured forces
   std::vector<ModeWindow> windows;          ///< of the free decays; centre_s in record time
-  double window_s = 0;                      ///< length used
   Eigen::VectorXd spectrum_hz, spectrum;    ///< root-mean-square over channels (and references), for the diagram
   std::vector<std::string> warnings;
 

@@ -1,5 +1,7 @@
 #include "measure/modal/survey_bands.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <list>
 #include <optional>
@@ -12,18 +14,19 @@ namespace {
 
 using Eigen::Index;
 
+/// From band to band. What a band finds depends on it only near its limits.
 constexpr Index rate_step = 4;
 
-/// Of a band's sample rate: highest frequency that is looked for, 0.8 of half of it.
+/// Of a band's sample rate: what passes decimate() unchanged, 0.8 of half of it (decimation_factor()).
 constexpr double usable_share = 0.4;
 
-/// Of a limit, by which bands overlap.
+/// Of a limit, by which bands overlap: a mode on it is within its error bar of it in both.
 constexpr double overlap = 0.05;
 
-Index longest_of(const SurveyRecords& records) {
-  Index rows = 0;
-  for (const DecaySummary& decay : records.decays()) rows = std::max(rows, decay.rows);
-  return rows;
+const DecaySummary& longest_of(const std::vector<DecaySummary>& decays) {
+  return *std::max_element(decays.begin(), decays.end(), [](const DecaySummary& a, const DecaySummary& b) {
+    return static_cast<double>(a.rows) / a.sample_rate_hz < static_cast<double>(b.rows) / b.sample_rate_hz;
+  });
 }
 
 // The same survey of one band, with nothing found yet, and its records.
@@ -57,9 +60,30 @@ void take(ModalSurvey& survey, ModalSurvey& band) {
   append(survey.diagram.modes, band.diagram.modes);
   append(survey.diagram.others, band.diagram.others);
   append(survey.warnings, band.warnings);
-  survey.window_s = band.window_s;
-  survey.spectrum_hz = band.spectrum_hz;
-  survey.spectrum = band.spectrum;
+}
+
+// The survey of several bands.
+void survey_several(ModalSurvey& survey, const SurveyRecords& records, const std::vector<SurveyBand>& bands) {
+  std::list<BandOfSurvey> parts;
+  std::vector<StableMode> found;
+  std::vector<StabilisationDiagram*> diagrams;
+  for (const SurveyBand& band : bands) {
+    BandOfSurvey& part = parts.emplace_back(survey, band);
+    const std::size_t short_ones = records.decays().size() - part.records->decays().size();
+    if (short_ones > 0)
+      survey.warnings.push_back(fmt::format("{} of {} records are too short for modes below {:.4g} Hz", short_ones,
+                                            records.decays().size(), band.highest_hz));
+    if (part.records->decays().empty()) continue;
+    find_poles(part.survey, *part.records, found);
+    append(found, part.survey.diagram.modes);
+    diagrams.push_back(&part.survey.diagram);
+  }
+  keep_strongest(diagrams, survey.options.modes);
+  for (BandOfSurvey& part : parts) {
+    if (part.records->decays().empty()) continue;
+    follow_decays(part.survey, *part.records, survey.modes.size(), WindowMisfit::warned);
+    take(survey, part.survey);
+  }
 }
 
 }  // namespace
@@ -71,6 +95,7 @@ std::vector<SurveyBand> survey_bands(Index rows, double rate_hz, double lowest_h
     rate_hz /= static_cast<double>(rate_step);
     const double limit = usable_share * rate_hz;
     if (limit <= lowest_hz) break;
+    if (highest_hz > 0 && limit >= highest_hz) continue;
     bands.back().lowest_hz = (1 - overlap) * limit;
     bands.push_back({lowest_hz, limit});
   }
@@ -79,31 +104,18 @@ std::vector<SurveyBand> survey_bands(Index rows, double rate_hz, double lowest_h
 }
 
 void survey_decays(ModalSurvey& survey, SurveyRecords& records) {
-  if (!survey.references.empty()) return follow_decays(survey, records, 0);
-  const std::vector<SurveyBand> bands = survey_bands(longest_of(records), records.decays().front().sample_rate_hz,
-                                                     survey.options.lowest_hz, survey.options.highest_hz);
+  if (!survey.references.empty()) return follow_decays(survey, records);
+  const DecaySummary& longest = longest_of(records.decays());
+  const std::vector<SurveyBand> bands =
+      survey_bands(longest.rows, longest.sample_rate_hz, survey.options.lowest_hz, survey.options.highest_hz);
   if (bands.size() == 1) {
     find_poles(survey, records, {});
     keep_strongest({&survey.diagram}, survey.options.modes);
-    return follow_decays(survey, records, 0);
+    follow_decays(survey, records);
+  } else {
+    survey_several(survey, records, bands);
   }
-  std::list<BandOfSurvey> parts;
-  std::vector<StableMode> found;
-  std::vector<StabilisationDiagram*> diagrams;
-  for (const SurveyBand& band : bands) {
-    BandOfSurvey& part = parts.emplace_back(survey, band);
-    if (part.records->decays().empty()) continue;
-    find_poles(part.survey, *part.records, found);
-    append(found, part.survey.diagram.modes);
-    diagrams.push_back(&part.survey.diagram);
-  }
-  keep_strongest(diagrams, survey.options.modes);
-  for (BandOfSurvey& part : parts) {
-    if (part.records->decays().empty()) continue;
-    part.survey.warnings.clear();
-    follow_decays(part.survey, *part.records, survey.modes.size());
-    take(survey, part.survey);
-  }
+  store_spectrum(survey, records);
 }
 
 }  // namespace secular

@@ -134,7 +134,7 @@ void add_others(const ModalSurvey& survey, double rate, std::vector<Complex>& po
   std::vector<StableMode> others = survey.diagram.others;
   std::sort(others.begin(), others.end(),
             [](const StableMode& a, const StableMode& b) { return a.strength > b.strength; });
-  const double fits = survey.window_s * rate / 12;
+  const double fits = survey.modes.front().window_s * rate / 12;
   for (const StableMode& mode : others)
     if (static_cast<double>(poles.size()) + 1 < fits) poles.push_back(mode.support.pole);
 }
@@ -178,7 +178,13 @@ void find_poles(ModalSurvey& survey, const SurveyRecords& records, const std::ve
   });
 }
 
-void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slower) {
+void store_spectrum(ModalSurvey& survey, SurveyRecords& records) {
+  DecaySpectrum spectrum(records.decays());
+  for (std::size_t i = 0; i < records.decays().size(); ++i) spectrum.add(records.decay(i).samples);
+  spectrum.store(survey);
+}
+
+void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slower, WindowMisfit misfit) {
   const bool alone = survey.references.empty();
   const auto number = [&](std::size_t r) { return slower + r + 1; };
   if (alone)
@@ -187,17 +193,23 @@ void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slow
   ModeWindowOptions options;
   options.length_s = survey.options.window_s > 0 ? survey.options.window_s : chosen_window(survey, records);
   options.overlap = survey.options.overlap;
-  survey.window_s = options.length_s;
+  for (SurveyMode& mode : survey.modes) mode.window_s = options.length_s;
   std::vector<Complex> poles;
   for (const SurveyMode& mode : survey.modes) poles.push_back(mode.pole);
   if (alone) add_others(survey, records.decays().front().sample_rate_hz, poles);
-  DecaySpectrum spectrum(records.decays());
   for (std::size_t i = 0; i < records.decays().size(); ++i) {
     const SurveyDecay& decay = records.decay(i);
     const std::size_t record = records.decays()[i].record;
-    if (alone) spectrum.add(decay.samples);
-    if (!window_fits(decay.samples.rows(), decay.sample_rate_hz, static_cast<Index>(poles.size()),
-                     options.length_s))
+    const bool fits =
+        window_fits(decay.samples.rows(), decay.sample_rate_hz, static_cast<Index>(poles.size()), options.length_s);
+    if (!fits && misfit == WindowMisfit::warned) {
+      survey.windows.clear();
+      survey.warnings.push_back(fmt::format(
+          "a window of {:.4g} s does not fit {} modes below {:.4g} Hz: choose another --window for them",
+          options.length_s, poles.size(), survey.options.highest_hz));
+      break;
+    }
+    if (!fits)
       throw InputError(
           (survey.campaign.folder / survey.campaign.records[record].file).string(), "",
           fmt::format("a window of {:.4g} s does not fit {} modes and the record", options.length_s, poles.size()),
@@ -209,7 +221,6 @@ void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slow
       survey.windows.push_back(std::move(window));
     }
   }
-  if (alone) spectrum.store(survey);
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     SurveyMode& mode = survey.modes[r];
     const AmplitudeDependence dependence =

@@ -12,9 +12,16 @@ namespace secular {
 /// what stands in slower bands, moves here as well and is fitted along among the others.
 void find_poles(ModalSurvey& survey, const SurveyRecords& records, const std::vector<StableMode>& slower);
 
-/// Frequency and damping of the survey's modes against amplitude, window by window, and the spectrum. Where there
-/// were no impacts the modes are those of the diagram, begun here. `slower`: so many modes come before, in
-/// warnings. Throws InputError for a --window that does not fit.
-void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slower);
+/// What follows where a --window does not fit: an error, or a warning and the values of one fit.
+enum class WindowMisfit { refused, warned };
+
+/// Frequency and damping of the survey's modes against amplitude, window by window. Where there were no impacts the
+/// modes are those of the diagram, begun here. `slower`: so many modes come before, in warnings. Throws InputError
+/// for a --window that does not fit and is refused.
+void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slower = 0,
+                   WindowMisfit misfit = WindowMisfit::refused);
+
+/// Fills the survey's spectrum: of its decays, at the rate of its band.
+void store_spectrum(ModalSurvey& survey, SurveyRecords& records);
 
 }  // namespace secular

@@ -61,8 +61,10 @@ TEST_F(MeasuredBeam, ADecayWhoseDampingChangesIsOneMode) {
   EXPECT_NEAR(100 * near.front()->damping_ratio, 0.14, 0.01);
 }
 
+class SlowMeasuredBeam : public MeasuredBeam {};
+
 // Its record holds 65536 samples at 12800 Hz, of which a realization takes a tenth of a second.
-TEST_F(MeasuredBeam, FirstBendingIsFoundWithoutAnyOption) {
+TEST_F(SlowMeasuredBeam, FirstBendingIsFoundWithoutAnyOption) {
   const ModalSurvey survey = modal_survey(folder_, {});
   const auto near = std::count_if(survey.modes.begin(), survey.modes.end(), [](const SurveyMode& mode) {
     return std::abs(mode.natural_frequency_hz - 80.5) < 0.5;

@@ -208,20 +208,19 @@ TEST_F(ModalSurveyOf, SaysWhatDoesNotFit) {
   EXPECT_NE(fault(options).find("does not fit"), std::string::npos) << fault(options);
 }
 
-// Sampled fast and long: of a slow mode the first thousand rows hold two turns, and all modes are found as they are
-// from records of their own bands.
-TEST_F(ModalSurveyOf, SlowModesOfLongRecordsThatAreSampledFast) {
-  constexpr double rate = 10240, noise = 0.01;
-  struct Swing {
-    double hz, damping, size;
-  };
-  const std::vector<Swing> swings = {{12, 0.006, 3}, {95, 0.002, 10}, {402, 0.002, 4}, {2200, 0.001, 8}};
+struct Swing {
+  double hz, damping, size;
+};
+
+// Of three channels with shapes that differ.
+CampaignData decay_of(const std::vector<Swing>& swings, double rate, int rows) {
+  constexpr double noise = 0.01;
   CampaignData data{testing_support::empty_campaign(rate, false), {}};
   testing_support::Gaussian gaussian(5);
   Record record;
   record.sample_rate_hz = rate;
   record.channels.assign(3, {});
-  for (int i = 0; i < 40960; ++i)
+  for (int i = 0; i < rows; ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       double x = noise * gaussian();
       for (std::size_t m = 0; m < swings.size(); ++m) {
@@ -237,7 +236,14 @@ TEST_F(ModalSurveyOf, SlowModesOfLongRecordsThatAreSampledFast) {
   entry.file = "records/decay.csv";
   entry.kind = RecordKind::free_decay;
   data.campaign.records.push_back(entry);
-  write(data);
+  return data;
+}
+
+// Sampled fast and long: of a slow mode the first thousand rows hold two turns, and all modes are found as they are
+// from records of their own bands.
+TEST_F(ModalSurveyOf, SlowModesOfLongRecordsThatAreSampledFast) {
+  const std::vector<Swing> swings = {{12, 0.006, 3}, {95, 0.002, 10}, {402, 0.002, 4}, {2200, 0.001, 8}};
+  write(decay_of(swings, 10240, 20480));
   const ModalSurvey survey = modal_survey(folder, {});
   ASSERT_EQ(survey.modes.size(), swings.size());
   for (std::size_t m = 0; m < swings.size(); ++m) {
@@ -250,12 +256,30 @@ TEST_F(ModalSurveyOf, SlowModesOfLongRecordsThatAreSampledFast) {
     const double hz = swings[static_cast<std::size_t>(window.mode)].hz;
     EXPECT_NEAR(std::abs(window.pole) / (2 * std::numbers::pi), hz, 0.05 * hz);
   }
+  EXPECT_GT(survey.modes.front().window_s, survey.modes.back().window_s);
   ModalSurveyOptions two;
   two.modes = 2;
   const ModalSurvey strongest = modal_survey(folder, two);
   ASSERT_EQ(strongest.modes.size(), 2u);
   EXPECT_NEAR(strongest.modes[0].natural_frequency_hz, 95, 1);
   EXPECT_NEAR(strongest.modes[1].natural_frequency_hz, 2200, 1);
+}
+
+// The fastest band holds no mode; the spectrum is that of the whole band all the same. A window that does not fit
+// one band leaves the values of one fit.
+TEST_F(ModalSurveyOf, SlowModeAloneOfALongRecord) {
+  write(decay_of({{2, 0.01, 5}}, 2048, 16385));
+  ModalSurveyOptions options;
+  const ModalSurvey survey = modal_survey(folder, options);
+  ASSERT_EQ(survey.modes.size(), 1u);
+  EXPECT_NEAR(survey.modes.front().natural_frequency_hz, 2, 4 * survey.modes.front().natural_frequency_sd_hz);
+  ASSERT_GT(survey.spectrum_hz.size(), 1000);
+  EXPECT_NEAR(survey.spectrum_hz(survey.spectrum_hz.size() - 1), 1024, 10);
+  options.window_s = 0.005;
+  const ModalSurvey one_fit = modal_survey(folder, options);
+  ASSERT_EQ(one_fit.modes.size(), 1u);
+  EXPECT_TRUE(one_fit.windows.empty());
+  EXPECT_FALSE(one_fit.modes.front().amplitude);
 }
 
 TEST(SurveyBands, CoverWhatIsAskedForAndOverlap) {
@@ -270,6 +294,8 @@ TEST(SurveyBands, CoverWhatIsAskedForAndOverlap) {
       EXPECT_LT(bands[b].highest_hz, bands[b + 1].highest_hz);
     }
   }
+  for (const SurveyBand& band : survey_bands(20 * most_decay_rows, 12800, 0, 600))
+    EXPECT_LT(band.lowest_hz, band.highest_hz);
   // What lies below what is asked for is not looked at.
   EXPECT_EQ(survey_bands(20 * most_decay_rows, 12800, 2000, 5000).size(), 1u);
 }
