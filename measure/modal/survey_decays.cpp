@@ -151,6 +151,35 @@ bool follows(const ModalSurvey& survey, std::size_t r, const AmplitudeDependence
   });
 }
 
+// Of the survey's modes, beside all poles, which begin with theirs.
+void find_windows(ModalSurvey& survey, SurveyRecords& records, const std::vector<Complex>& poles,
+                  const ModeWindowOptions& options, WindowMisfit misfit) {
+  for (std::size_t i = 0; i < records.decays().size(); ++i) {
+    const SurveyDecay& decay = records.decay(i);
+    const std::size_t record = records.decays()[i].record;
+    const bool fits =
+        window_fits(decay.samples.rows(), decay.sample_rate_hz, static_cast<Index>(poles.size()), options.length_s);
+    if (!fits && misfit == WindowMisfit::warned) {
+      survey.windows.clear();
+      survey.warnings.push_back(fmt::format(
+          "a window of {:.4g} s does not fit {} modes below {:.4g} Hz: choose another --window for them",
+          options.length_s, poles.size(), survey.options.highest_hz));
+      return;
+    }
+    if (!fits)
+      throw InputError(
+          (survey.campaign.folder / survey.campaign.records[record].file).string(), "",
+          fmt::format("a window of {:.4g} s does not fit {} modes and the record", options.length_s, poles.size()),
+          "choose another --window, or fewer --modes");
+    for (ModeWindow& window : mode_windows(decay.samples, decay.sample_rate_hz, poles, options)) {
+      if (window.mode >= static_cast<Index>(survey.modes.size())) continue;
+      window.record = record;
+      window.centre_s += decay.start_s;
+      survey.windows.push_back(std::move(window));
+    }
+  }
+}
+
 }  // namespace
 
 void find_poles(ModalSurvey& survey, const SurveyRecords& records, const std::vector<StableMode>& slower) {
@@ -197,30 +226,7 @@ void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slow
   std::vector<Complex> poles;
   for (const SurveyMode& mode : survey.modes) poles.push_back(mode.pole);
   if (alone) add_others(survey, records.decays().front().sample_rate_hz, poles);
-  for (std::size_t i = 0; i < records.decays().size(); ++i) {
-    const SurveyDecay& decay = records.decay(i);
-    const std::size_t record = records.decays()[i].record;
-    const bool fits =
-        window_fits(decay.samples.rows(), decay.sample_rate_hz, static_cast<Index>(poles.size()), options.length_s);
-    if (!fits && misfit == WindowMisfit::warned) {
-      survey.windows.clear();
-      survey.warnings.push_back(fmt::format(
-          "a window of {:.4g} s does not fit {} modes below {:.4g} Hz: choose another --window for them",
-          options.length_s, poles.size(), survey.options.highest_hz));
-      break;
-    }
-    if (!fits)
-      throw InputError(
-          (survey.campaign.folder / survey.campaign.records[record].file).string(), "",
-          fmt::format("a window of {:.4g} s does not fit {} modes and the record", options.length_s, poles.size()),
-          "choose another --window, or fewer --modes");
-    for (ModeWindow& window : mode_windows(decay.samples, decay.sample_rate_hz, poles, options)) {
-      if (window.mode >= static_cast<Index>(survey.modes.size())) continue;
-      window.record = record;
-      window.centre_s += decay.start_s;
-      survey.windows.push_back(std::move(window));
-    }
-  }
+  find_windows(survey, records, poles, options, misfit);
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     SurveyMode& mode = survey.modes[r];
     const AmplitudeDependence dependence =
