@@ -14,7 +14,6 @@ struct Explanation {
   Refit fit;
   std::size_t unknowns = 0;  ///< that it has beyond the model's own
   double log_evidence = 0;
-  double dependence = 1;  ///< of the rows, by which it is compared (dependence_of_rows())
 };
 
 /// An explanation's unknowns with these candidates switched off.

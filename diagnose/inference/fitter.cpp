@@ -34,12 +34,6 @@ bool is_missed(double chi_squared, double rows) {
   return chi_squared > diagnose_thresholds().most_residual * rows;
 }
 
-std::vector<int> Fitter::folds() const {
-  std::vector<int> folds;
-  for (const RowLabel& label : discrepancy_.labels()) folds.push_back(label.fold);
-  return folds;
-}
-
 void Fitter::freeze(const VectorXd& at, double coarse, Lookout lookout) {
   frozen_ = {at, coarse};
   discrepancy_.freeze(at, coarse, lookout);

@@ -43,8 +43,6 @@ class Fitter {
   bool at_true_errors() const { return frozen_.coarse == 0; }
   /// Rows that are independent.
   double rows() const { return static_cast<double>(discrepancy_.freedom()); }
-  /// By row, in which of the parts it is that are held out together.
-  std::vector<int> folds() const;
   /// Chi-squared of these unknowns among the errors as they are.
   double left_by(const Eigen::VectorXd& unknowns) const { return discrepancy_(unknowns).squaredNorm(); }
   /// Whether anything is allowed for that records have of their own.

@@ -95,7 +95,7 @@ Inference weighed(ExplanationSearch& search) {
   result.explanations = std::move(search.found);
   const Weights weights{result.dispersion, result.price, search.options.prior_second,
                         search.options.prior_open_law};
-  weigh(result.null, result.explanations, search.candidates, weights, search.fitter.folds());
+  weigh(result.null, result.explanations, search.candidates, weights);
   return result;
 }
 

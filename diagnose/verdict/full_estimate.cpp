@@ -79,7 +79,7 @@ Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& opti
   return std::move(*best);
 }
 
-// What a lack of fit as large as the one that is seen may do to each free unknown (docs/inference.md (47)).
+// What a lack of fit as large as the one that is seen may do to each free unknown (docs/inference.md (46)).
 VectorXd hidden_in(const Refit& fit, const RowsLeft& left) {
   const double beyond = std::sqrt(std::max(0.0, left.chi_squared - left.freedom));
   return beyond * fit.covariance.diagonal().cwiseMax(0).cwiseSqrt();
@@ -113,7 +113,7 @@ std::string text_of_direction(const std::vector<std::string>& together) {
 }
 
 // Of the noise that rows are measured by, where a record's spectrum tells it: a fourth of its samples
-// (docs/inference.md (47)).
+// (docs/inference.md (46)).
 double noise_freedom(const RowsLeft& left) {
   return std::max(1.0, 0.25 * left.freedom);
 }

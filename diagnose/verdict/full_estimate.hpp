@@ -36,7 +36,7 @@ struct FullEstimate {
 };
 
 /// Fits the model as it is to all records of the window at once, dwells by their lines and all others sample by
-/// sample, by the rows that a diagnosis compares with (docs/inference.md (47)). Foreign content of the readings is
+/// sample, by the rows that a diagnosis compares with (docs/inference.md (46)). Foreign content of the readings is
 /// allowed for as there.
 ///
 /// `sides.own`: symbols that are fitted; others are held at `options.start`. `starts`: by symbol, in turn until a

@@ -52,8 +52,7 @@ bool is_its_limit(const Rival& rival, const Rival& best, double dispersion) {
   if (instead.size() != 1 || !holds(rival.contains, instead.front())) return false;
   const auto more =
       static_cast<double>(rival.explanation->unknowns) - static_cast<double>(best.explanation->unknowns);
-  const double gain = (best.explanation->fit.chi_squared - rival.explanation->fit.chi_squared) /
-                      (dispersion * std::max(best.explanation->dependence, rival.explanation->dependence));
+  const double gain = (best.explanation->fit.chi_squared - rival.explanation->fit.chi_squared) / dispersion;
   return more > 0 && chi_squared_upper_tail(std::max(0.0, gain), more) > diagnose_thresholds().told_apart;
 }
 
