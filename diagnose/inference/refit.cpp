@@ -106,7 +106,7 @@ SolverEnding judge_end(const Discrepancy& discrepancy, Refit& fit) {
     const auto row = static_cast<Index>(f);
     const bool seen = directions.per_length()(row) > 0;
     const auto beyond = of_unknowns.row(row).tail(of_unknowns.cols() - fit.rank);
-    fit.identifiable[f] = seen && !(beyond.cwiseAbs().array() > 1e-3).any();
+    fit.identifiable[f] = seen && !(beyond.cwiseAbs().array() > least_part_of_direction).any();
   }
   const MatrixXd turned = fit.scale.cwiseProduct(directions.per_length()).asDiagonal() * of_unknowns;
   fit.covariance = turned * inverse.asDiagonal() * turned.transpose();

@@ -12,6 +12,9 @@ namespace secular {
 /// one may still promise at most: explanations are compared in these variances, and none by so little.
 inline constexpr double promise_kept = 0.1;
 
+/// Share of an unknown in a direction of columns of unit length below which it has no part in it.
+inline constexpr double least_part_of_direction = 1e-3;
+
 /// Least squares over some of the unknowns.
 struct Refit {
   Eigen::VectorXd unknowns;

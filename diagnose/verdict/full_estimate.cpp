@@ -23,9 +23,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Share of an unknown in a direction of columns of unit length below which it has no part in it, as in a Refit.
-constexpr double least_part_of_direction = 1e-3;
-
 /// Samples of a stretch that is shown.
 constexpr Index most_shown = 400;
 

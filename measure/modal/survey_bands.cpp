@@ -29,20 +29,28 @@ const DecaySummary& longest_of(const std::vector<DecaySummary>& decays) {
   });
 }
 
-// The same survey of one band, with nothing found yet, and its records.
+// The same survey of one band, with nothing found yet, and its records: those of the whole band where it reaches up
+// to its end.
 struct BandOfSurvey {
-  BandOfSurvey(const ModalSurvey& whole, const SurveyBand& band) {
+  BandOfSurvey(const ModalSurvey& whole, SurveyRecords& of_whole, const SurveyBand& band) : records(&of_whole) {
     survey.campaign = whole.campaign;
     survey.options = whole.options;
     survey.options.lowest_hz = band.lowest_hz;
     survey.options.highest_hz = band.highest_hz;
-    records.emplace(survey, ShortDecays::left_out);
+    if (band.highest_hz == whole.options.highest_hz) {
+      survey.channels = whole.channels;
+      survey.form = whole.form;
+      survey.unit = whole.unit;
+    } else {
+      records = &own.emplace(survey, ShortDecays::left_out);
+    }
   }
   BandOfSurvey(const BandOfSurvey&) = delete;
   BandOfSurvey& operator=(const BandOfSurvey&) = delete;
 
   ModalSurvey survey;
-  std::optional<SurveyRecords> records;
+  std::optional<SurveyRecords> own;
+  SurveyRecords* records;
 };
 
 template <class T>
@@ -63,12 +71,12 @@ void take(ModalSurvey& survey, ModalSurvey& band) {
 }
 
 // The survey of several bands.
-void survey_several(ModalSurvey& survey, const SurveyRecords& records, const std::vector<SurveyBand>& bands) {
+void survey_several(ModalSurvey& survey, SurveyRecords& records, const std::vector<SurveyBand>& bands) {
   std::list<BandOfSurvey> parts;
   std::vector<StableMode> found;
   std::vector<StabilisationDiagram*> diagrams;
   for (const SurveyBand& band : bands) {
-    BandOfSurvey& part = parts.emplace_back(survey, band);
+    BandOfSurvey& part = parts.emplace_back(survey, records, band);
     const std::size_t short_ones = records.decays().size() - part.records->decays().size();
     if (short_ones > 0)
       survey.warnings.push_back(fmt::format("{} of {} records are too short for modes below {:.4g} Hz", short_ones,

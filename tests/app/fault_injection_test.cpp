@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/app/duffing_decay.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
@@ -54,7 +55,7 @@ class FaultInjection : public testing::Test {
               ("faults_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    write("experiment.toml", experiment_);
+    write("experiment.toml", testing_support::duffing_decay());
     write("p.json", R"({"omega0": 1, "mu": 0.01, "a2": 0, "a3": 0.1, "e": 1, "F": 0.01})");
     ASSERT_EQ(run("simulate experiment.toml -o campaign").status, 0);
   }
@@ -112,25 +113,6 @@ class FaultInjection : public testing::Test {
     EXPECT_EQ(left_overs(), std::vector<std::string>{});
   }
 
-  static constexpr const char* experiment_ = R"(schema = 1
-name = "test"
-model = "duffing"
-sample_rate_hz = 32.0
-[parameters]
-omega0 = 6.28
-mu = 0.02
-a2 = 0
-a3 = 10
-e = 1
-[[response]]
-name = "x"
-quantity = "displacement"
-unit = "m"
-noise_sd = 1e-3
-[[free_decay]]
-initial_displacement = [0.5]
-duration_s = 60.0
-)";
   fs::path folder_;
 };
 using SlowFaultInjection = FaultInjection;
@@ -168,7 +150,7 @@ TEST_F(SlowFaultInjection, KilledAtAnyMomentLeavesAWholeResultOrNone) {
 }
 
 TEST_F(FaultInjection, WhatAKilledCommandLeftIsRemovedByTheNext) {
-  std::string text = experiment_;
+  std::string text = testing_support::duffing_decay();
   text.replace(text.find("duration_s = 60.0"), 17, "duration_s = 200000.0");
   for (int i = 0; i < 100; ++i) text += "[[free_decay]]\ninitial_displacement = [0.5]\nduration_s = 200000.0\n";
   write("long.toml", text);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/app/duffing_decay.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
@@ -24,25 +25,7 @@ class OutputTarget : public testing::Test {
   void SetUp() override {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    write("experiment.toml", R"(schema = 1
-name = "test"
-model = "duffing"
-sample_rate_hz = 32.0
-[parameters]
-omega0 = 6.28
-mu = 0.02
-a2 = 0
-a3 = 10
-e = 1
-[[response]]
-name = "x"
-quantity = "displacement"
-unit = "m"
-noise_sd = 1e-3
-[[free_decay]]
-initial_displacement = [0.5]
-duration_s = 60.0
-)");
+    write("experiment.toml", testing_support::duffing_decay());
     fs::copy_file(testing_support::source_folder() / "models/duffing.toml", folder_ / "model.toml");
     write("p.json", R"({"omega0": 1, "mu": 0.01, "a2": 0, "a3": 0.1, "e": 1, "F": 0.01})");
   }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/app/duffing_decay.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
@@ -59,25 +60,7 @@ TEST_F(TypedWords, UnknownOnesAreNamedWithWhatMayBeMeant) {
 }
 
 TEST_F(TypedWords, NumbersForProgramsArePlain) {
-  std::ofstream(folder_ / "experiment.toml") << R"(schema = 1
-name = "test"
-model = "duffing"
-sample_rate_hz = 32.0
-[parameters]
-omega0 = 6.28
-mu = 0.02
-a2 = 0
-a3 = -10
-e = 1
-[[response]]
-name = "x"
-quantity = "displacement"
-unit = "m"
-noise_sd = 1e-3
-[[free_decay]]
-initial_displacement = [0.5]
-duration_s = 60.0
-)";
+  std::ofstream(folder_ / "experiment.toml") << testing_support::duffing_decay("-10");
   ASSERT_EQ(run("simulate experiment.toml -o campaign").status, 0);
   for (const std::string command :
        {"identify campaign --model duffing -o out", "modal campaign --modes 1 -o modal", "inspect campaign"}) {
