@@ -17,10 +17,20 @@ bool either_sign(const std::string& effect) {
   return !of_one_sign.contains(effect);
 }
 
+// A decay knows of no excitation, and its only response reads in units of its own; a level is that of a line.
+bool is_shown(const std::string& effect, Programme programme) {
+  static const std::set<std::string> of_lines = {"shaker_harmonics", "level_stiffness"};
+  static const std::set<std::string> of_excitation = {"direct_excitation", "parametric_excitation", "extra_mode",
+                                                      "sensor_gain",       "sensor_cross_axis",     "channel_skew"};
+  if (programme == Programme::dwells) return true;
+  const bool free = programme == Programme::decays || programme == Programme::one_decay;
+  return !of_lines.contains(effect) && !(free && of_excitation.contains(effect));
+}
+
 }  // namespace
 
 Reality reality_of(const Specimen& specimen) {
-  return {specimen.structure, specimen.measurement, 0, 0};
+  return {specimen.structure, specimen.measurement, 0, 0, {}};
 }
 
 void switch_on(const Withheld& w, const Specimen& specimen, const std::vector<double>& peak, Reality& reality) {
@@ -70,7 +80,7 @@ bool is_measurement_fault(const std::string& effect) {
   return faults.contains(effect);
 }
 
-std::vector<std::string> effects_of_family(const std::string& family) {
+std::vector<std::string> effects_shown(const std::string& family, Programme programme) {
   std::vector<std::string> effects = {
       "quadratic_damping",    "cubic_damping",     "coulomb_friction",        "amplitude_dependent_damping",
       "cubic_stiffness",      "quintic_stiffness", "bilinear_stiffness",      "freeplay",
@@ -89,14 +99,18 @@ std::vector<std::string> effects_of_family(const std::string& family) {
   } else {
     also({"viscous_damping", "quadratic_stiffness", "quadratic_inertia", "parametric_excitation"});
   }
+  std::erase_if(effects, [&](const std::string& effect) { return !is_shown(effect, programme); });
   return effects;
 }
 
-std::vector<std::string> uncatalogued_effects() {
-  return {"septic_stiffness", "one_sided_damping", "threshold_damping", "quartic_damping", "modulated_force"};
+std::vector<std::string> uncatalogued_effects(Programme programme) {
+  std::vector<std::string> effects = {"septic_stiffness", "one_sided_damping", "threshold_damping",
+                                      "quartic_damping"};
+  if (programme == Programme::dwells) effects.emplace_back("modulated_force");
+  return effects;
 }
 
-std::vector<std::string> look_alikes(const std::string& effect, const std::string& family) {
+std::vector<std::string> look_alikes(const std::string& effect, const std::string& family, Programme programme) {
   static const std::vector<std::vector<std::string>> groups = {
       {"cubic_stiffness", "cubic_inertia"},
       {"quadratic_stiffness", "quadratic_inertia"},
@@ -112,8 +126,8 @@ std::vector<std::string> look_alikes(const std::string& effect, const std::strin
       {"sensor_cross_axis", "extra_mode"},
       {"sensor_cross_axis", "parametric_excitation"}};
   std::vector<std::string> alike;
-  const std::vector<std::string> outside = uncatalogued_effects();
-  const auto listed = effects_of_family(family);
+  const std::vector<std::string> outside = uncatalogued_effects(programme);
+  const auto listed = effects_shown(family, programme);
   const auto add = [&](const std::string& name) {
     const bool of_catalogue = std::find(listed.begin(), listed.end(), name) != listed.end();
     if (of_catalogue && name != effect && std::find(alike.begin(), alike.end(), name) == alike.end())
@@ -137,7 +151,7 @@ Withheld draw_withheld(const std::string& effect, const Specimen& s, Random& ran
   const double sign = either_sign(effect) ? random.sign() : 1;
   const std::size_t channels = s.measurement.names.size();
   w.channel = is_measurement_fault(effect) ? 1 + random.below(channels - 1) : 0;
-  if (effect == "sensor_offset" && random.chance(0.2)) w.channel = 0;
+  if (effect == "sensor_offset" && !s.dwells.empty() && random.chance(0.2)) w.channel = 0;
   if (effect == "freeplay") w.detail = random.uniform(0.2, 0.6);
   if (effect.ends_with("_stop")) w.detail = random.uniform(0.3, 0.8);
   if (effect == "saturating_stiffness") w.detail = random.uniform(0.3, 1);

@@ -24,7 +24,8 @@ struct Withheld {
 struct Reality {
   Structure structure;
   Measurement measurement;
-  double second = 0, third = 0;  ///< shaker harmonics over the fundamental
+  double second = 0, third = 0;   ///< shaker harmonics over the fundamental
+  std::vector<State> begun = {};  ///< by stretch, added to the state that it begins with; empty: nothing
 };
 
 /// With nothing switched on: what the model holds as well.
@@ -37,15 +38,15 @@ Reality reality_of(const Specimen& specimen);
 void switch_on(const Withheld& withheld, const Specimen& specimen, const std::vector<double>& peak,
                Reality& reality);
 
-/// Names of docs/simulating.md that a family can show, and effects that no catalogue lists.
-std::vector<std::string> effects_of_family(const std::string& family);
-std::vector<std::string> uncatalogued_effects();
+/// Names of docs/simulating.md that records of a family can show, and effects that no catalogue lists.
+std::vector<std::string> effects_shown(const std::string& family, Programme programme);
+std::vector<std::string> uncatalogued_effects(Programme programme);
 /// Whether it is of sensors or shapes, not of the structure or its excitation.
 bool is_measurement_fault(const std::string& effect);
 
 /// Effects that could be the same thing to the data, by physics; whether they are is decided case by case from
 /// their signatures. See docs/blind_check.md.
-std::vector<std::string> look_alikes(const std::string& effect, const std::string& family);
+std::vector<std::string> look_alikes(const std::string& effect, const std::string& family, Programme programme);
 
 /// Draws where an effect acts, its sign and its details; `coefficient` is a first guess of the strength.
 Withheld draw_withheld(const std::string& effect, const Specimen& specimen, Random& random);

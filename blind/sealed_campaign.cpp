@@ -41,17 +41,17 @@ bool changes_with_time(const std::string& effect) {
   return effect == "modulated_force";
 }
 
-std::vector<std::string> catalogued_effects() {
+std::vector<std::string> catalogued_effects(Programme programme) {
   std::set<std::string> names;
-  for (const std::string& family : families)
-    for (const std::string& effect : effects_of_family(family)) names.insert(effect);
+  for (const std::string& family : families_of(programme))
+    for (const std::string& effect : effects_shown(family, programme)) names.insert(effect);
   return {names.begin(), names.end()};
 }
 
-std::string family_for(const std::vector<std::string>& effects, Random& random) {
+std::string family_for(const std::vector<std::string>& effects, Programme programme, Random& random) {
   std::vector<std::string> fitting;
-  for (const std::string& family : families) {
-    const std::vector<std::string> shown = effects_of_family(family);
+  for (const std::string& family : families_of(programme)) {
+    const std::vector<std::string> shown = effects_shown(family, programme);
     if (std::all_of(effects.begin(), effects.end(), [&](const std::string& effect) {
           return std::find(shown.begin(), shown.end(), effect) != shown.end();
         }))
@@ -133,8 +133,8 @@ struct SeenChange {
   bool all_ensembles = false;
   Eigen::VectorXd whole, left;  ///< `left`: what the model's own parameters leave of it
 
-  /// Standard deviations of an ensemble are those of so many of the mean of all.
-  double ensembles() const { return all_ensembles ? 1 : std::sqrt(static_cast<double>(ensembles_per_dwell)); }
+  /// Standard deviations of what was compared are those of so many of all that was recorded.
+  double ensembles() const { return std::sqrt(signatures.recorded_alike(all_ensembles)); }
 };
 
 // Norm of what a rival leaves of a change, with the coefficient that explains most. Its own change is computed
@@ -260,7 +260,7 @@ void move_parameters(SealedCampaign& c, const Signatures& signatures, double tar
 
 Disturbances disturbances_of(const Specimen& specimen, const Levels& levels, Random random) {
   DisturbedCampaign campaign{levels.median_rms, levels.peak, 1,
-                             specimen.dwells.size() + specimen.decay_starts.size() + further_records};
+                             specimen.dwells.size() + specimen.stretches.size() + further_records};
   for (std::size_t k = 0; k < specimen.structure.modes; ++k)
     campaign.highest_natural_hz = std::max(campaign.highest_natural_hz, specimen.structure.mode[k].omega / two_pi);
   return draw_disturbances(campaign, random);
@@ -272,8 +272,8 @@ SealedCampaign draw_once(const CampaignPlan& plan, std::uint64_t seed, std::uint
   c.plan = plan;
   const std::set<std::string> withheld(plan.effects.begin(), plan.effects.end());
   do {
-    c.specimen = draw_specimen(plan.family, withheld, plan.dwells, random);
-  } while (c.specimen.dwells.size() < plan.dwells / 2);
+    c.specimen = draw_specimen(plan.family, withheld, plan.dwells, random, plan.programme);
+  } while (plan.programme == Programme::dwells && c.specimen.dwells.size() < plan.dwells / 2);
   c.reality = reality_of(c.specimen);
   const Levels levels = levels_of(c.specimen, c.reality);
   for (const double rms : levels.median_rms) c.noise_sd.push_back(rms * std::pow(10, -plan.snr_db / 20));
@@ -291,7 +291,8 @@ SealedCampaign draw_once(const CampaignPlan& plan, std::uint64_t seed, std::uint
       truth.withheld.coefficient *= levels.median_rms[truth.withheld.channel] / levels.median_rms[0];
     set_strength(truth, c.specimen, signatures, levels.peak, random.log_uniform(weakest_sigma, strongest_sigma));
     const double seen = plan.kind == "outside" ? unnamed_norm(signatures) : visible_norm;
-    find_look_alikes(truth, look_alikes(effect, plan.family), {c, signatures, levels.peak, seen}, random);
+    find_look_alikes(truth, look_alikes(effect, plan.family, plan.programme), {c, signatures, levels.peak, seen},
+                     random);
     switch_on(truth.withheld, c.specimen, levels.peak, c.reality);
     c.truths.push_back(truth);
   }
@@ -323,25 +324,17 @@ std::vector<Motion> lasting_motions(const SealedCampaign& c) {
   return motions;
 }
 
-// Free decays of the first mode, one every 90 s after the last dwell, up to the first one that does not last: they
-// begin beyond every dwell's amplitude, where a softening force may not hold.
-std::vector<Decay> lasting_decays(const SealedCampaign& c) {
-  constexpr std::size_t samples = 3072;
-  std::vector<Decay> decays;
-  double started = c.specimen.dwells.empty() ? 0 : c.specimen.dwells.back().drive.started;
-  for (const double initial : c.specimen.decay_starts) {
-    started += 90;
-    Drive drive;
-    drive.frequency = c.specimen.structure.mode[0].omega;
-    drive.started = started;
-    State state{};
-    displacement(state, 0) = initial;
-    Motion motion = recorded_motion(structure_of_record(c, c.specimen.dwells.size() + decays.size()), drive, state,
-                                    samples, c.specimen.settling.substeps);
+// Stretches up to the first one that does not last: decays begin beyond every dwell's amplitude, where a softening
+// force may not hold.
+std::vector<Motion> lasting_stretches(const SealedCampaign& c) {
+  std::vector<Motion> motions;
+  for (const Stretch& stretch : c.specimen.stretches) {
+    Motion motion = recorded_motion(structure_of_record(c, c.specimen.dwells.size() + motions.size()),
+                                    stretch.drive, stretch.state, stretch.samples, c.specimen.settling.substeps);
     if (!is_bounded(motion)) break;
-    decays.push_back({drive, std::move(motion)});
+    motions.push_back(std::move(motion));
   }
-  return decays;
+  return motions;
 }
 
 }  // namespace
@@ -358,8 +351,10 @@ std::vector<CampaignPlan> draw_plans(const SetOptions& set) {
   Random random(set.seed, 0);
   const std::vector<double> noise =
       set.size == SetSize::short_set ? std::vector<double>{40, 30} : std::vector<double>{40, 30, 20, 10};
-  std::vector<std::string> deck = catalogued_effects(), outside = uncatalogued_effects(), pairable;
-  for (const std::string& effect : catalogued_effects())
+  const std::vector<std::string> families = families_of(set.programme);
+  std::vector<std::string> deck = catalogued_effects(set.programme), outside = uncatalogued_effects(set.programme),
+                           pairable;
+  for (const std::string& effect : catalogued_effects(set.programme))
     if (!is_measurement_fault(effect) && effect != "quadratic_inertia" && effect != "cubic_inertia")
       pairable.push_back(effect);
   random.shuffle(deck);
@@ -380,19 +375,20 @@ std::vector<CampaignPlan> draw_plans(const SetOptions& set) {
     if (plan.kind == "single") plan.effects = {deck[singles++ % deck.size()]};
     if (plan.kind == "outside") plan.effects = {outside[outsiders++ % outside.size()]};
     plan.family = families[random.below(families.size())];
-    if (plan.kind == "single") plan.family = family_for(plan.effects, random);
+    if (plan.kind == "single") plan.family = family_for(plan.effects, set.programme, random);
     if (plan.kind == "pair") {
       do {
         const std::string first = pairable[random.below(pairable.size())];
         std::string second = first;
         while (second == first) second = pairable[random.below(pairable.size())];
         plan.effects = {first, second};
-        plan.family = family_for(plan.effects, random);
+        plan.family = family_for(plan.effects, set.programme, random);
       } while (plan.family.empty());
     }
     plan.snr_db = noise[random.below(noise.size())];
     plan.dwells = set.size == SetSize::short_set ? 20 : 40;
     plan.disturbed = set.disturbed;
+    plan.programme = set.programme;
     plans.push_back(plan);
   }
   return plans;
@@ -402,7 +398,7 @@ std::vector<std::string> rest_that_explains(const SealedCampaign& sealed, std::u
   Random random(seed, rest_of_catalogue + sealed.plan.number);
   Truth truth = sealed.truths.front();
   truth.same_as.clear();
-  std::vector<std::string> rest = effects_of_family(sealed.plan.family);
+  std::vector<std::string> rest = effects_shown(sealed.plan.family, sealed.plan.programme);
   std::erase(rest, truth.withheld.effect);
   const Signatures signatures(sealed.specimen, sealed.noise_sd, sealed.disturbances);
   const std::vector<double> peak = levels_of(sealed.specimen, reality_of(sealed.specimen)).peak;
@@ -428,8 +424,8 @@ SealedCampaign draw_campaign(const CampaignPlan& plan, std::uint64_t seed) {
     SealedCampaign c = draw_once(plan, seed, plan.number + redrawn * attempt);
     c.motions = lasting_motions(c);
     if (c.motions.size() < c.specimen.dwells.size()) continue;
-    c.decays = lasting_decays(c);
-    if (c.decays.size() == c.specimen.decay_starts.size()) return c;
+    c.of_stretches = lasting_stretches(c);
+    if (c.of_stretches.size() == c.specimen.stretches.size()) return c;
   }
   throw NumericalFailure(Ending::ran_away,
                          fmt::format("campaign {} of seed {}: none of its draws stays bounded", plan.number, seed));

@@ -21,7 +21,8 @@ struct SetOptions {
   SetSize size = SetSize::short_set;
   bool disturbed = false;         ///< records bear disturbances drawn by lot
   bool nothing_withheld = false;  ///< every model is its structure's own: what numbers are held to
-  unsigned threads = 1;           ///< campaigns at once; the set does not depend on it
+  Programme programme = Programme::dwells;
+  unsigned threads = 1;  ///< campaigns at once; the set does not depend on it
 };
 
 /// What a campaign is to be, before anything is drawn for it.
@@ -33,25 +34,20 @@ struct CampaignPlan {
   double snr_db = 30;
   std::size_t dwells = 20;
   bool disturbed = false;  ///< records bear disturbances drawn by lot
+  Programme programme = Programme::dwells;
 };
 
 /// The plans of a set: every effect as often as any other, every noise level, in an order that the seed fixes.
 /// The same seed gives the same structures and effects, `disturbed` or not.
 std::vector<CampaignPlan> draw_plans(const SetOptions& set);
 
-/// One thing that the model does not know, with how strongly the data show it. Strengths are norms of the change of
-/// a dwell's harmonic amplitudes in standard deviations of one ensemble, root mean square over the dwells.
+/// One thing that the model does not know, with how strongly the data show it. Strengths are those of Signatures.
 struct Truth {
   Withheld withheld;
   double raw_sigma = 0;              ///< of the change itself
   double sigma = 0;                  ///< of what the model's own parameters cannot imitate
   double relative = 0;               ///< of the change, relative to the amplitudes
   std::vector<std::string> same_as;  ///< effects (or "no_gap") that these data cannot tell from it
-};
-
-struct Decay {
-  Drive drive;  ///< none, but its time
-  Motion motion;
 };
 
 struct SealedCampaign {
@@ -65,7 +61,7 @@ struct SealedCampaign {
   std::map<std::string, double> parameters;  ///< for parameters.json; empty: none
   std::vector<std::string> moved;            ///< symbols whose numbers in it are off
   std::vector<Motion> motions;               ///< of each dwell's record
-  std::vector<Decay> decays;                 ///< after the dwells
+  std::vector<Motion> of_stretches;          ///< after the dwells
 };
 
 /// The settled motion of a dwell, through all of the campaign's record number `record`, which is `length` times as

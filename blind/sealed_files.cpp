@@ -237,9 +237,12 @@ void write_sealed(const SealedCampaign& c, std::uint64_t seed, const fs::path& f
     text += dwell_text(file, drive, dwell.group);
     ++record;
   }
-  for (const Decay& decay : c.decays)
-    text += record_text(writer.write(record++, decay.drive, decay.motion), "free_decay", decay.drive.started) +
-            "group = \"free decays\"\n";
+  for (std::size_t i = 0; i < s.stretches.size(); ++i) {
+    const Stretch& stretch = s.stretches[i];
+    text += record_text(writer.write(record++, stretch.drive, c.of_stretches.at(i)), stretch.kind,
+                        stretch.drive.started);
+    if (stretch.kind == "free_decay") text += "group = \"free decays\"\n";
+  }
   write_text(partial / "campaign" / "campaign.toml", text);
   put_in_place(partial, folder);
 }
@@ -258,9 +261,9 @@ void write_extended_campaign(const SealedCampaign& c, std::uint64_t seed, const 
   dwell.drive.amplitude *= further.level;
   dwell.drive.frequency = further.frequency;
   dwell.drive.started =
-      c.specimen.dwells.back().drive.started + 90 * static_cast<double>(c.specimen.decay_starts.size() + 1);
+      c.specimen.dwells.back().drive.started + 90 * static_cast<double>(c.specimen.stretches.size() + 1);
   RecordWriter writer{c, partial, Random(seed, 3'000'000 + c.plan.number), seed};
-  const std::size_t record = c.specimen.dwells.size() + c.specimen.decay_starts.size();
+  const std::size_t record = c.specimen.dwells.size() + c.specimen.stretches.size();
   const Drive drive = drive_of(dwell, c.reality);
   const std::string file = writer.write(record, drive, dwell_motion(c, dwell, record, further.length));
   write_text(partial / "campaign.toml",
@@ -289,6 +292,11 @@ nlohmann::ordered_json disturbances_json(const Disturbances& d) {
   return sizes;
 }
 
+std::size_t decays_of(const Specimen& specimen) {
+  return static_cast<std::size_t>(std::count_if(specimen.stretches.begin(), specimen.stretches.end(),
+                                                [](const Stretch& s) { return s.kind == "free_decay"; }));
+}
+
 }  // namespace
 
 nlohmann::ordered_json label_of(const SealedCampaign& c) {
@@ -298,10 +306,11 @@ nlohmann::ordered_json label_of(const SealedCampaign& c) {
                         {"kind", c.plan.kind},
                         {"snr_db", c.plan.snr_db},
                         {"dwells", c.specimen.dwells.size()},
-                        {"decays", c.specimen.decay_starts.size()},
+                        {"decays", decays_of(c.specimen)},
                         {"coarse_converter", c.quantum.front() > 0 && c.disturbances.step.empty()},
                         {"parameters_given", !c.parameters.empty()},
                         {"effects", ordered_json::array()}};
+  if (c.plan.programme != Programme::dwells) label["records"] = name_of(c.plan.programme);
   if (c.plan.disturbed) label["disturbances"] = disturbances_json(c.disturbances);
   label["numbers"] = numbers_of(c.specimen);
   if (!c.moved.empty()) label["parameters_moved"] = c.moved;

@@ -34,6 +34,7 @@ ordered_json heading(const SetOptions& options) {
                        {"cases", options.campaigns}};
   if (options.disturbed) head["disturbed"] = true;
   if (options.nothing_withheld) head["nothing_withheld"] = true;
+  if (options.programme != Programme::dwells) head["records"] = name_of(options.programme);
   return head;
 }
 
@@ -61,6 +62,10 @@ SetOptions options_of(const fs::path& folder) {
   options.size = head.value("set", "") == "short" ? SetSize::short_set : SetSize::full_set;
   options.disturbed = head.value("disturbed", false);
   options.nothing_withheld = head.value("nothing_withheld", false);
+  const std::string records = head.value("records", name_of(Programme::dwells));
+  if (!is_programme(records))
+    throw InputError(folder.string(), "", "is a set of records that this version does not know: " + records);
+  options.programme = programme_named(records);
   return options;
 }
 

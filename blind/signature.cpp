@@ -51,9 +51,8 @@ Levels levels_of(const Specimen& specimen, const Reality& reality) {
   const std::size_t channels = specimen.measurement.names.size();
   Levels levels{std::vector<double>(channels), std::vector<double>(channels)};
   std::vector<std::vector<double>> rms(channels);
-  for (const Dwell& dwell : specimen.dwells) {
-    const Drive drive = drive_of(dwell, reality);
-    const Motion motion = recorded_motion(reality.structure, drive, dwell.state, 256, specimen.settling.substeps);
+  const auto take = [&](const Drive& drive, const State& from, std::size_t count) {
+    const Motion motion = recorded_motion(reality.structure, drive, from, count, specimen.settling.substeps);
     const auto samples = measured(reality.measurement, drive, motion, true);
     for (std::size_t c = 0; c < channels; ++c) {
       double squares = 0;
@@ -63,18 +62,25 @@ Levels levels_of(const Specimen& specimen, const Reality& reality) {
       }
       rms[c].push_back(std::sqrt(squares / static_cast<double>(samples[c].size())));
     }
-  }
+  };
+  for (const Dwell& dwell : specimen.dwells) take(drive_of(dwell, reality), dwell.state, 256);
+  if (specimen.dwells.empty())
+    for (const Stretch& stretch : specimen.stretches) take(stretch.drive, stretch.state, stretch.samples);
   for (std::size_t c = 0; c < channels; ++c) {
     std::sort(rms[c].begin(), rms[c].end());
     levels.median_rms[c] = rms[c].empty() ? 0 : rms[c][rms[c].size() / 2];
+  }
+  // A channel of an excitation that is at rest reads noise as it would of one that is not.
+  if (levels.peak[0] == 0) {
+    levels.peak[0] = specimen.typical_drive;
+    levels.median_rms[0] = specimen.typical_drive / std::sqrt(2.0);
   }
   return levels;
 }
 
 Signatures::Signatures(const Specimen& specimen, std::vector<double> noise_sd, Disturbances disturbances)
     : specimen_(specimen),
-      noise_sd_(std::move(noise_sd)),
-      disturbances_(std::move(disturbances)),
+      noise_{std::move(noise_sd), std::move(disturbances)},
       harmonics_(specimen.settling.periods_of_two == 2 ? 6 : 4) {}
 
 const Eigen::VectorXd& Signatures::nominal(bool all_ensembles) const {
@@ -84,7 +90,12 @@ const Eigen::VectorXd& Signatures::nominal(bool all_ensembles) const {
 }
 
 Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensembles, double of_drive) const {
-  const std::size_t ensembles = all_ensembles ? ensembles_per_dwell : 1, channels = noise_sd_.size();
+  return has_dwells() ? lines_of_dwells(reality, all_ensembles, of_drive)
+                      : stretch_spectra(specimen_, reality, noise_);
+}
+
+Eigen::VectorXd Signatures::lines_of_dwells(const Reality& reality, bool all_ensembles, double of_drive) const {
+  const std::size_t ensembles = all_ensembles ? ensembles_per_dwell : 1, channels = noise_.sd.size();
   Eigen::VectorXd result(static_cast<Eigen::Index>(specimen_.dwells.size() * ensembles * channels) * components());
   const Settling settling = resettling(specimen_);
   Eigen::Index at = 0;
@@ -104,8 +115,7 @@ Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensemble
         result.segment(at, components()) = normal.solve(basis.transpose() * y);
         for (Eigen::Index i = 0; i < components(); ++i) {
           const double hz = static_cast<double>((i + 1) / 2) * fundamental / two_pi;
-          const double white = std::hypot(noise_sd_[c], disturbances_.coloured_as_white(c, hz));
-          result(at + i) /= white * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
+          result(at + i) /= noise_.as_white(c, hz) * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
         }
         result(at) *= std::sqrt(2.0);  // the mean's standard deviation is the smaller one
         at += components();
@@ -116,7 +126,8 @@ Eigen::VectorXd Signatures::amplitudes(const Reality& reality, bool all_ensemble
 }
 
 Eigen::VectorXd Signatures::difference(const Reality& reality, bool all_ensembles) const {
-  return amplitudes(reality, all_ensembles) - nominal(all_ensembles);
+  Eigen::VectorXd change = amplitudes(reality, all_ensembles) - nominal(all_ensembles);
+  return has_dwells() ? change : beside_excitation_noise(specimen_, noise_, std::move(change));
 }
 
 Eigen::MatrixX2d Signatures::excitation_noise(bool all_ensembles) const {
@@ -126,7 +137,7 @@ Eigen::MatrixX2d Signatures::excitation_noise(bool all_ensembles) const {
   if (!larger.allFinite())
     throw NumericalFailure(Ending::ran_away, "a dwell of the model alone has no bounded motion");
   Eigen::MatrixX2d noise = Eigen::MatrixX2d::Zero(here.size(), 2);
-  const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
+  const Eigen::Index width = static_cast<Eigen::Index>(noise_.sd.size()) * components();
   const auto driven = static_cast<Eigen::Index>(specimen_.settling.periods_of_two);  // harmonic of the fundamental
   for (Eigen::Index first = 0; first < here.size(); first += width) {
     const double of_one = 1 / here.segment<2>(first + 2 * driven - 1).norm();
@@ -145,35 +156,46 @@ Eigen::MatrixX2d Signatures::excitation_noise(bool all_ensembles) const {
 
 // A lot of a whole record is the same in all of its ensembles, whose mean has a standard deviation that is the root
 // of their number smaller: counted in that of one ensemble the lot is larger by this root.
-const Eigen::MatrixXd& Signatures::noise_of_dwells(bool all_ensembles) const {
-  Eigen::MatrixXd& noise = noise_of_dwells_[all_ensembles];
+const Eigen::MatrixXd& Signatures::noise_of_records(bool all_ensembles) const {
+  Eigen::MatrixXd& noise = noise_of_records_[all_ensembles];
   if (noise.rows() > 0) return noise;
-  noise = excitation_noise(all_ensembles);
-  const double of_one = std::sqrt(static_cast<double>(ensembles_per_dwell));
+  noise = has_dwells() ? Eigen::MatrixXd(excitation_noise(all_ensembles))
+                       : Eigen::MatrixXd(nominal(all_ensembles).size(), 0);
+  const double of_one = has_dwells() ? std::sqrt(static_cast<double>(ensembles_per_dwell)) : 1;
   const auto add_column = [&](const Eigen::VectorXd& column) {
     noise.conservativeResize(Eigen::NoChange, noise.cols() + 1);
     noise.rightCols<1>() = column;
   };
   // Standard deviation of what is drawn evenly from 0 to T: T/sqrt(12).
-  if (disturbances_.latest_s > 0) {
+  if (noise_.disturbances.latest_s > 0) {
     Reality late = reality_of(specimen_);
     late.measurement.fault[0].late -= late_step_s;
-    add_column(of_one * disturbances_.latest_s / std::sqrt(12.0) / late_step_s * difference(late, all_ensembles));
+    add_column(of_one * noise_.disturbances.latest_s / std::sqrt(12.0) / late_step_s *
+               difference(late, all_ensembles));
   }
-  if (disturbances_.frequency_scatter > 0) {
+  if (noise_.disturbances.frequency_scatter > 0) {
     Reality shifted = reality_of(specimen_);
     for (ModeTerms& mode : shifted.structure.mode) mode.omega *= 1 + frequency_step;
-    add_column(of_one * disturbances_.frequency_scatter / frequency_step * difference(shifted, all_ensembles));
+    add_column(of_one * noise_.disturbances.frequency_scatter / frequency_step *
+               difference(shifted, all_ensembles));
   }
   return noise;
+}
+
+std::vector<RowsOfStretch> Signatures::rows_of_records(Eigen::Index all) const {
+  if (!has_dwells()) return rows_of_stretches(specimen_);
+  const Eigen::Index width = static_cast<Eigen::Index>(noise_.sd.size()) * components();
+  std::vector<RowsOfStretch> rows;
+  for (Eigen::Index first = 0; first < all; first += width) rows.push_back({first, width});
+  return rows;
 }
 
 // (I + N N^T)^(-1/2) by the singular values s of N: along its left vectors 1/sqrt(1 + s^2), elsewhere 1.
 Eigen::VectorXd Signatures::change(const Reality& reality, bool all_ensembles) const {
   Eigen::VectorXd result = difference(reality, all_ensembles);
-  const Eigen::MatrixXd& noise = noise_of_dwells(all_ensembles);
-  const Eigen::Index width = static_cast<Eigen::Index>(noise_sd_.size()) * components();
-  for (Eigen::Index first = 0; first < result.size(); first += width) {
+  const Eigen::MatrixXd& noise = noise_of_records(all_ensembles);
+  if (noise.cols() == 0) return result;
+  for (const auto& [first, width] : rows_of_records(result.size())) {
     const Eigen::MatrixXd of_dwell = noise.middleRows(first, width);  // thin U needs columns counted at run time
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(of_dwell, Eigen::ComputeThinU);
     const Eigen::VectorXd kept = (1 + svd.singularValues().array().square()).rsqrt();
@@ -186,22 +208,27 @@ Eigen::VectorXd Signatures::change(const Reality& reality, bool all_ensembles) c
 
 namespace {
 
+const std::string begin = "begin";
+
 struct OwnParameter {
   std::string effect;
   std::size_t mode = 0;
   double step = 0;
-  std::size_t channel = 0;  // of an offset
+  std::size_t channel = 0;                // of an offset
+  std::size_t stretch = 0, of_state = 0;  // of a begin: which of the first mode's; 0 for the displacement
 
   void move(Reality& reality, double by) const {
-    if (channel > 0)
+    if (effect == begin)
+      reality.begun.at(stretch).at(of_state) += by;
+    else if (channel > 0)
       reality.measurement.fault[channel].offset += by;
     else
       *coefficient(reality.structure, effect, mode) += by;
   }
 };
 
-// The natural frequencies, then the coefficients, then what the response channels read at rest, with steps that
-// change the response a little.
+// The natural frequencies, then the coefficients, then what the response channels read at rest and, where decays
+// are all there is, how these begin, with steps that change the response a little.
 std::vector<OwnParameter> own_parameters_of(const Specimen& specimen, const std::vector<double>& noise_sd) {
   std::vector<OwnParameter> parameters;
   for (std::size_t k = 0; k < specimen.structure.modes; ++k)
@@ -210,6 +237,13 @@ std::vector<OwnParameter> own_parameters_of(const Specimen& specimen, const std:
   for (const OwnTerm& term : specimen.own)
     parameters.push_back({term.effect, term.mode, 0.01 * *coefficient(own, term.effect, term.mode)});
   for (std::size_t c = 1; c < noise_sd.size(); ++c) parameters.push_back({"", 0, 0.1 * noise_sd[c], c});
+  if (!specimen.dwells.empty()) return parameters;
+  for (std::size_t i = 0; i < specimen.stretches.size(); ++i) {
+    if (specimen.stretches[i].is_driven()) continue;
+    const double step = 1e-3 * specimen.typical_amplitude[0];
+    parameters.push_back({begin, 0, step, 0, i, 0});
+    parameters.push_back({begin, 0, step * specimen.structure.mode[0].omega, 0, i, 1});
+  }
   return parameters;
 }
 
@@ -218,10 +252,11 @@ std::vector<OwnParameter> own_parameters_of(const Specimen& specimen, const std:
 const Eigen::MatrixXd& Signatures::own_parameters(bool all_ensembles) const {
   Eigen::MatrixXd& columns = own_[all_ensembles];
   if (columns.cols() > 0) return columns;
-  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_, noise_sd_);
+  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_, noise_.sd);
   columns.resize(nominal(all_ensembles).size(), static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     Reality reality = reality_of(specimen_);
+    reality.begun.resize(specimen_.stretches.size());
     parameters[i].move(reality, parameters[i].step);
     const Eigen::VectorXd found = change(reality, all_ensembles);
     const double norm = found.norm();
@@ -239,7 +274,8 @@ Eigen::VectorXd Signatures::linear_unexplained(const Eigen::VectorXd& change_see
 Eigen::VectorXd Signatures::change_with_own(Reality reality, const Eigen::VectorXd& moved,
                                             bool all_ensembles) const {
   own_parameters(all_ensembles);  // their steps
-  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_, noise_sd_);
+  const std::vector<OwnParameter> parameters = own_parameters_of(specimen_, noise_.sd);
+  reality.begun.resize(specimen_.stretches.size());
   for (std::size_t i = 0; i < parameters.size(); ++i)
     parameters[i].move(reality, moved(static_cast<Eigen::Index>(i)) * steps_[all_ensembles][i]);
   return change(reality, all_ensembles);
@@ -324,8 +360,15 @@ Eigen::VectorXd Signatures::refitted_unexplained(const Eigen::VectorXd& change_s
 }
 
 double Signatures::strength(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
-  const double parts = static_cast<double>(specimen_.dwells.size() * (all_ensembles ? ensembles_per_dwell : 1));
+  double parts = static_cast<double>(specimen_.dwells.size() * (all_ensembles ? ensembles_per_dwell : 1));
+  if (!has_dwells())
+    for (const Stretch& stretch : specimen_.stretches)
+      parts += static_cast<double>(stretch.samples) / static_cast<double>(ensemble_samples);
   return change_seen.norm() / std::sqrt(parts);
+}
+
+double Signatures::recorded_alike(bool all_ensembles) const {
+  return has_dwells() && !all_ensembles ? static_cast<double>(ensembles_per_dwell) : 1;
 }
 
 double Signatures::relative(const Reality& reality, bool all_ensembles) const {

@@ -10,6 +10,7 @@
 #include "blind/disturbances.hpp"
 #include "blind/effect.hpp"
 #include "blind/specimen.hpp"
+#include "blind/stretch_spectra.hpp"
 
 namespace secular::blind {
 
@@ -18,6 +19,9 @@ namespace secular::blind {
 /// time), each divided by its standard deviation under the noise. The excitation is known as well as its channel
 /// tells it and no better: what an error of its amplitude or phase would do to the responses counts as noise, and
 /// so does what a record that is late or a natural frequency that scatters from record to record does to them.
+///
+/// Where a specimen has no dwells they are the spectra of its stretches (`stretch_spectra`), all of them, whatever
+/// `all_ensembles` is; how decays begin is then among the model's own parameters.
 class Signatures {
  public:
   /// `noise_sd` by channel.
@@ -42,32 +46,38 @@ class Signatures {
   /// The same after the first step alone.
   Eigen::VectorXd linear_unexplained(const Eigen::VectorXd& change, bool all_ensembles) const;
 
-  /// Norm of a change over one ensemble of one dwell, root mean square over the dwells: in standard deviations.
+  /// Norm of a change over one ensemble of one dwell, root mean square over the dwells: in standard deviations. Of
+  /// stretches: over as many samples as an ensemble has, root mean square over all.
   double strength(const Eigen::VectorXd& change, bool all_ensembles) const;
+  /// How many ensembles were recorded for each that is compared.
+  double recorded_alike(bool all_ensembles) const;
   /// Norm of a reality's change relative to the amplitudes themselves, all channels together.
   double relative(const Reality& reality, bool all_ensembles) const;
 
  private:
   Eigen::VectorXd amplitudes(const Reality& reality, bool all_ensembles, double of_drive = 1) const;
+  Eigen::VectorXd lines_of_dwells(const Reality& reality, bool all_ensembles, double of_drive) const;
+  bool has_dwells() const { return !specimen_.dwells.empty(); }
   Eigen::Index components() const { return static_cast<Eigen::Index>(2 * harmonics_ + 1); }
   /// Of one channel's noise alone: each divided by its own standard deviation.
   Eigen::VectorXd difference(const Reality& reality, bool all_ensembles) const;
   /// What errors of the excitation's amplitude and phase of one standard deviation do to the responses. Throws
   /// NumericalFailure where a dwell of the model alone grows beyond bounds.
   Eigen::MatrixX2d excitation_noise(bool all_ensembles) const;
-  /// The same of all that counts as noise of a whole dwell, a column each.
-  const Eigen::MatrixXd& noise_of_dwells(bool all_ensembles) const;
+  /// The same of all that counts as noise of a whole record, a column each.
+  const Eigen::MatrixXd& noise_of_records(bool all_ensembles) const;
+  /// Rows that one lot of it is common to.
+  std::vector<RowsOfStretch> rows_of_records(Eigen::Index all) const;
   /// The change where `reality`'s own parameters move by the first of `moved`, in steps of unit columns.
   Eigen::VectorXd change_with_own(Reality reality, const Eigen::VectorXd& moved, bool all_ensembles) const;
 
   const Specimen& specimen_;
-  std::vector<double> noise_sd_;
-  Disturbances disturbances_;
+  ChannelNoise noise_;
   std::size_t harmonics_;
   const Eigen::VectorXd& nominal(bool all_ensembles) const;
 
   mutable std::map<bool, Eigen::VectorXd> nominal_;
-  mutable std::map<bool, Eigen::MatrixXd> noise_of_dwells_;
+  mutable std::map<bool, Eigen::MatrixXd> noise_of_records_;
   mutable std::map<bool, Eigen::MatrixXd> own_;
   mutable std::map<bool, std::vector<double>> steps_;  // of each own parameter for a column of unit length
 };

@@ -7,6 +7,8 @@
 namespace secular::blind {
 namespace {
 
+constexpr std::size_t decay_samples = 3072;  // beside dwells
+
 // Draws a coefficient of an own term: share of the damping force at the typical amplitude.
 void add_own(Specimen& s, const std::string& effect, std::size_t mode, const std::string& symbol, double share) {
   *coefficient(s.structure, effect, mode) = coefficient_of_share(s, effect, mode, share);
@@ -103,6 +105,27 @@ void settle(Specimen& s) {
   s.dwells = std::move(kept);
 }
 
+// Dwells of all modes; three free decays of a structure that has one.
+void draw_dwells(Specimen& s, std::size_t count, Random& random) {
+  const std::size_t modes = s.structure.modes;
+  if (s.family == "principal_parametric") {
+    s.settling.periods_of_two = 2;
+    add_parametric_dwells(s, count, random);
+  } else {
+    for (std::size_t k = 0; k < modes; ++k) add_primary_dwells(s, k, count / modes, random);
+  }
+  settle(s);
+  if (random.chance(0.5)) random.shuffle(s.dwells);
+  double started = 0;
+  for (Dwell& dwell : s.dwells) {
+    dwell.drive.started = started;
+    started += 90;
+  }
+  if (modes == 1)
+    for (const double part : {1.4, 1.0, 0.6})
+      s.stretches.push_back(decay_from(part * s.typical_amplitude[0], decay_samples));
+}
+
 void draw_sensors(Specimen& s, Random& random) {
   Measurement& m = s.measurement;
   const std::size_t modes = s.structure.modes;
@@ -166,7 +189,7 @@ double coefficient_of_share(const Specimen& s, const std::string& effect, std::s
 }
 
 Specimen draw_specimen(const std::string& family, const std::set<std::string>& withheld, std::size_t dwells,
-                       Random& random) {
+                       Random& random, Programme programme) {
   Specimen s;
   s.family = family;
   s.settling.substeps = 4;
@@ -215,21 +238,13 @@ Specimen draw_specimen(const std::string& family, const std::set<std::string>& w
   if (modes == 2 && !withheld.contains("cubic_coupling"))
     add_own(s, "cubic_coupling", 0, "c22", random.sign() * random.uniform(0.3, 1));
   draw_sensors(s, random);
-  if (family == "principal_parametric") {
-    s.settling.periods_of_two = 2;
-    add_parametric_dwells(s, dwells, random);
-  } else {
-    for (std::size_t k = 0; k < modes; ++k) add_primary_dwells(s, k, dwells / modes, random);
-  }
-  settle(s);
-  if (random.chance(0.5)) random.shuffle(s.dwells);
-  double started = 0;
-  for (Dwell& dwell : s.dwells) {
-    dwell.drive.started = started;
-    started += 90;
-  }
-  if (modes == 1)
-    for (const double part : {1.4, 1.0, 0.6}) s.decay_starts.push_back(part * s.typical_amplitude[0]);
+  if (programme == Programme::dwells)
+    draw_dwells(s, dwells, random);
+  else
+    s.stretches = draw_stretches(programme, s.structure.mode[0], s.decay_rate[0],
+                                 {s.typical_amplitude[0], s.typical_drive}, random);
+  double started = s.dwells.empty() ? -90 : s.dwells.back().drive.started;
+  for (Stretch& stretch : s.stretches) stretch.drive.started = started += 90;
   return s;
 }
 

@@ -8,6 +8,7 @@
 
 #include "blind/measurement.hpp"
 #include "blind/motion.hpp"
+#include "blind/programme.hpp"
 #include "blind/random.hpp"
 #include "blind/structure.hpp"
 
@@ -38,16 +39,14 @@ struct Specimen {
   double typical_drive = 1;                            ///< m/s^2
   Measurement measurement;
   Settling settling;
-  std::vector<Dwell> dwells;         ///< settled: those that rest are left out
-  std::vector<double> decay_starts;  ///< initial displacements of free decays
+  std::vector<Dwell> dwells;       ///< settled: those that rest are left out
+  std::vector<Stretch> stretches;  ///< after them
 };
 
-inline const std::vector<std::string> families = {"primary", "principal_parametric", "asymmetric", "two_modes"};
-
 /// Draws a structure of a family that has none of the `withheld` effects, nor one of its own that is the same thing
-/// to the data, with about `dwells` dwells.
+/// to the data, with about `dwells` dwells where there are any.
 Specimen draw_specimen(const std::string& family, const std::set<std::string>& withheld, std::size_t dwells,
-                       Random& random);
+                       Random& random, Programme programme = Programme::dwells);
 
 /// The coefficient at which an effect's force at the typical amplitude is `share` of the linear damping force 2 mu
 /// omega a, the force that a half-bandwidth is worth.

@@ -5,7 +5,18 @@
 
 namespace secular::blind {
 
+double Course::at(double t) const {
+  const double place = t / step, whole = std::floor(place), u = place - whole;
+  const auto first = static_cast<std::ptrdiff_t>(whole);
+  const auto value = [&](std::ptrdiff_t i) {
+    return i < 0 || i >= static_cast<std::ptrdiff_t>(values.size()) ? 0 : values[static_cast<std::size_t>(i)];
+  };
+  return u * (u - 1) * (u + 1) / 6 * value(first + 2) - u * (u + 1) * (u - 2) / 2 * value(first + 1) +
+         (u - 1) * (u + 1) * (u - 2) / 2 * value(first) - u * (u - 1) * (u - 2) / 6 * value(first - 1);
+}
+
 double Drive::at(double t) const {
+  if (course) return course->at(t);
   double sum = std::cos(frequency * t);
   if (second != 0) sum += second * std::cos(2 * frequency * t);
   if (third != 0) sum += third * std::cos(3 * frequency * t);

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace secular::blind {
 
@@ -77,12 +79,21 @@ struct Structure {
   ExtraMode extra;
 };
 
-/// Excitation f(t) = F (cos Omega t + second cos 2 Omega t + third cos 3 Omega t) in a record that began
-/// `started` seconds after the campaign.
+/// An excitation in m/s^2 at even times from zero on; zero before and behind.
+struct Course {
+  double step = 1;  ///< s
+  std::vector<double> values;
+  /// By the cubic through the four values around.
+  double at(double t) const;
+};
+
+/// Excitation f(t) = F (cos Omega t + second cos 2 Omega t + third cos 3 Omega t), or any other course, in a record
+/// that began `started` seconds after the campaign.
 struct Drive {
-  double amplitude = 0, frequency = 0;  ///< F in m/s^2, Omega in rad/s
+  double amplitude = 0, frequency = 0;  ///< F in m/s^2 (of a course its level), Omega in rad/s
   double second = 0, third = 0;
   double started = 0;
+  std::shared_ptr<const Course> course = {};  ///< none: harmonic
   double at(double t) const;
 };
 

@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BlindArguments {
-  std::string folder, set = "short", page = "docs/blind_check", program;
+  std::string folder, set = "short", records = "dwells", page = "docs/blind_check", program;
   std::size_t campaigns = 0;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -77,6 +77,7 @@ void generate(const BlindArguments& options) {
   set.threads = options.threads;
   set.disturbed = options.disturbed;
   set.nothing_withheld = options.nothing_withheld;
+  set.programme = blind::programme_named(options.records);
   ProgressLine line("campaigns made");
   blind::generate_set(options.folder, set, [&line](std::size_t done, std::size_t total) { line(done, total); });
   fmt::print("{} campaigns in {}, labels sealed\n", set.campaigns, options.folder);
@@ -180,6 +181,11 @@ void add_set_options(CLI::App* command, const std::shared_ptr<BlindArguments>& o
   command->add_option("--seed", options->seed, "of the draw")->capture_default_str();
   command->add_option("--set", options->set, "short: 20 dwells, 40 and 30 dB; full: 40 dwells, 40 to 10 dB")
       ->check(CLI::IsMember({"short", "full"}))
+      ->capture_default_str();
+  command
+      ->add_option("--records", options->records,
+                   "of every campaign: dwells (and three decays), decays, one_decay, sweeps, broadband or impacts")
+      ->check(CLI::IsMember(blind::programme_names()))
       ->capture_default_str();
   command->add_flag(
       "--disturbed", options->disturbed,

@@ -171,7 +171,7 @@ TEST(BlindDisturbances, LateRecordsAreLate) {
     return std::arg(line(base, hz) / line(response, hz));
   };
   const double before = phase_behind("in_time");
-  sealed.disturbances.records.assign(sealed.motions.size() + sealed.decays.size(), {1, 0.004});
+  sealed.disturbances.records.assign(sealed.motions.size() + sealed.of_stretches.size(), {1, 0.004});
   const double turned = phase_behind("late") - before;
   EXPECT_NEAR(std::remainder(turned - dwell.drive.frequency * 0.004, two_pi), 0, 0.02);
   fs::remove_all(folder);

@@ -43,7 +43,7 @@ std::vector<JudgedNumber> identified(std::size_t number, std::uint64_t seed, con
   CampaignPlan plan;
   plan.number = number + 1;
   plan.kind = "none";
-  plan.family = families[number % families.size()];
+  plan.family = families_of(Programme::dwells)[number % 4];
   Random random(seed, number);
   plan.snr_db = random.chance(0.5) ? 40 : 30;
   plan.disturbed = true;
@@ -55,7 +55,7 @@ void scatter_besides(SealedCampaign& sealed, double sd, std::uint64_t seed) {
   Disturbances& d = sealed.disturbances;
   d.kinds.push_back("record_scatter");
   d.frequency_scatter = sd;
-  d.records.resize(sealed.motions.size() + sealed.decays.size());
+  d.records.resize(sealed.motions.size() + sealed.of_stretches.size());
   Random random(seed, 1);
   for (std::size_t r = 0; r < sealed.motions.size(); ++r) {
     d.records[r].frequency_factor = 1 + sd * random.gaussian();
@@ -199,7 +199,8 @@ TEST(SlowDisturbedLot, AnEffectIsNamedBesideFrequenciesThatScatter) {
 TEST(SlowDisturbedLot, FewDwellsWhoseFrequenciesScatterTellNoLaw) {
   for (std::size_t number = 91; number < 97; ++number) {
     const auto scatter = [](SealedCampaign& sealed) {
-      sealed.decays.clear();
+      sealed.of_stretches.clear();
+      sealed.specimen.stretches.clear();
       sealed.specimen.dwells.resize(5);
       sealed.motions.resize(5);
       let_frequencies_scatter(sealed, 0.003, seed_of_diagnosed);

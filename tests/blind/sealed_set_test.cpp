@@ -163,6 +163,73 @@ TEST(BlindSignature, ARivalIsFittedTogetherWithTheModelsOwnParameters) {
   EXPECT_LT(signatures.refitted_unexplained(change, false, with_spring, 0.4 * cubic).norm(), 0.01 * change.norm());
 }
 
+// White noise in a response has unit variance in every coefficient, so that the spectra of two channels of samples
+// have the squares of the samples in units of it: 1 % more excitation is 1 % more of a linear response.
+TEST(BlindSignature, StretchesCountStandardDeviationsOfSamples) {
+  for (const Programme programme : {Programme::sweeps, Programme::broadband, Programme::impacts}) {
+    Random random(11, 4);
+    const Specimen specimen =
+        draw_specimen("primary", {"cubic_stiffness", "quadratic_damping", "cubic_damping"}, 0, random, programme);
+    ASSERT_FALSE(specimen.stretches.empty());
+    std::vector<double> noise(specimen.measurement.names.size(), 1e-3);
+    noise[0] = 0;  // of the excitation
+    const Signatures signatures(specimen, noise);
+    Reality reality = reality_of(specimen);
+    reality.structure.mode[0].direct *= 1.01;
+    double squares = 0, ensembles = 0;
+    for (const Stretch& stretch : specimen.stretches) {
+      const Motion motion = recorded_motion(specimen.structure, stretch.drive, stretch.state, stretch.samples, 4);
+      const auto channels = measured(specimen.measurement, stretch.drive, motion, true);
+      for (std::size_t c = 1; c < channels.size(); ++c)
+        for (const double x : channels[c]) squares += std::pow(0.01 * x / 1e-3, 2);
+      ensembles += static_cast<double>(stretch.samples) / static_cast<double>(ensemble_samples);
+    }
+    const Eigen::VectorXd change = signatures.change(reality, false);
+    EXPECT_NEAR(signatures.strength(change, false), std::sqrt(squares / ensembles),
+                1e-3 * std::sqrt(squares / ensembles))
+        << name_of(programme);
+    EXPECT_LT(signatures.unexplained(change, false).norm(), 1e-3 * change.norm()) << name_of(programme);
+    // Where the reading of the excitation is noisy, what it makes in the response is noise as well.
+    noise[0] = 1;
+    EXPECT_LT(Signatures(specimen, noise).change(reality, false).norm(), 0.9 * change.norm()) << name_of(programme);
+  }
+}
+
+// How a decay begins is nothing that a model knows.
+TEST(BlindSignature, BeginsOfDecaysExplainNothing) {
+  Random random(12, 4);
+  const Specimen specimen = draw_specimen("primary", {"cubic_stiffness"}, 0, random, Programme::decays);
+  const Signatures signatures(specimen, std::vector<double>(specimen.measurement.names.size(), 1e-3));
+  Reality reality = reality_of(specimen);
+  reality.begun.resize(specimen.stretches.size());
+  displacement(reality.begun[1], 0) = 0.01 * specimen.typical_amplitude[0];
+  const Eigen::VectorXd change = signatures.change(reality, false);
+  EXPECT_GT(change.norm(), 1);
+  EXPECT_LT(signatures.refitted_unexplained(change, false).norm(), 0.01 * change.norm());
+}
+
+// Files of every programme are read as what they are, and its folder is made anew byte for byte.
+TEST_F(BlindFolder, RecordsOfEveryProgrammeAreNamedInTheCampaign) {
+  const std::map<Programme, std::string> kinds = {{Programme::decays, "free_decay"},
+                                                  {Programme::one_decay, "free_decay"},
+                                                  {Programme::sweeps, "sweep"},
+                                                  {Programme::broadband, "broadband"},
+                                                  {Programme::impacts, "impact"}};
+  for (const auto& [programme, kind] : kinds) {
+    const CampaignPlan plan{
+        .number = 2, .kind = "none", .effects = {}, .family = "asymmetric", .programme = programme};
+    const SealedCampaign sealed = draw_campaign(plan, 8);
+    write_sealed(sealed, 8, folder / name_of(programme));
+    const std::string text = read_text(folder / name_of(programme) / "campaign" / "campaign.toml");
+    std::size_t count = 0;
+    for (std::size_t at = text.find("kind = \"" + kind + "\""); at != std::string::npos;
+         at = text.find("kind = \"" + kind + "\"", at + 1))
+      ++count;
+    EXPECT_EQ(count, sealed.specimen.stretches.size()) << kind;
+    EXPECT_EQ(label_of(sealed).at("records"), name_of(programme));
+  }
+}
+
 TEST_F(BlindFolder, CampaignHasTheNoiseThatItsLabelSays) {
   CampaignPlan plan{.number = 3, .kind = "none", .effects = {}, .family = "primary", .snr_db = 20, .dwells = 4};
   const SealedCampaign sealed = draw_campaign(plan, 8);
