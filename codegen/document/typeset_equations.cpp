@@ -173,6 +173,38 @@ void multiply_excitation(Product& product, const CanonicalModel& model, const Ca
   product.times(f.power == 1 ? derived : bracket(derived), f.power);
 }
 
+Expression expression_of(const CanonicalModel& model, const std::vector<CanonicalMotionTerm>& terms);
+
+void multiply_function(Product& product, const CanonicalModel& model, const CanonicalFactor& f) {
+  Expression inner = expression_of(model, f.inner);
+  const auto [numerator, denominator] = f.exponent;
+  const auto shown = [&]() -> std::string {
+    switch (f.function) {
+      case SmoothKind::logarithm:
+        return "ln";
+      case SmoothKind::arc_tangent:
+        return "arctan";
+      default:
+        return std::string(name_of(f.function));
+    }
+  };
+  if (f.function == SmoothKind::exponential) {
+    product.times(exponential(std::move(inner)), f.power);
+  } else if (f.function != SmoothKind::power) {
+    product.times(function(shown(), std::move(inner)), f.power);
+  } else if (denominator == 1) {
+    product.times(inner.kind == Expression::Kind::sum ? bracket(std::move(inner)) : std::move(inner),
+                  numerator * f.power);
+  } else if (denominator == 2) {
+    product.times(root(std::move(inner)), numerator * f.power);
+  } else {
+    Product exponent;
+    exponent.times(fraction(number(std::abs(numerator)), number(denominator)));
+    exponent.times(function("ln", std::move(inner)));
+    product.times(exponential(exponent.expression()), numerator < 0 ? -f.power : f.power);
+  }
+}
+
 void multiply_factor(Product& product, const CanonicalModel& model, const CanonicalFactor& f) {
   switch (f.kind) {
     case CanonicalFactor::Kind::displacement:
@@ -198,7 +230,21 @@ void multiply_factor(Product& product, const CanonicalModel& model, const Canoni
       product.times(function(f.kind == CanonicalFactor::Kind::clock_cos ? "cos" : "sin", clock_angle(model, f)),
                     f.power);
       return;
+    case CanonicalFactor::Kind::smooth:
+      multiply_function(product, model, f);
+      return;
   }
+}
+
+Expression expression_of(const CanonicalModel& model, const std::vector<CanonicalMotionTerm>& terms) {
+  Sum sum(model.order);
+  for (const CanonicalMotionTerm& term : terms) {
+    Product factors;
+    for (const CanonicalFactor& factor : term.factors) multiply_factor(factors, model, factor);
+    if (term.acceleration_of) factors.times(coordinate(model, *term.acceleration_of, 2));
+    sum.add(term.coefficient, factors);
+  }
+  return sum.expression();
 }
 
 }  // namespace
@@ -212,14 +258,13 @@ Expression amplitude(const CanonicalModel& model, std::size_t mode) {
 }
 
 Equation motion_equation(const CanonicalModel& model, std::size_t mode) {
-  Sum sum(model.order);
-  for (const CanonicalMotionTerm& term : model.motion[mode]) {
-    Product factors;
-    for (const CanonicalFactor& factor : term.factors) multiply_factor(factors, model, factor);
-    if (term.acceleration_of) factors.times(coordinate(model, *term.acceleration_of, 2));
-    sum.add(term.coefficient, factors);
-  }
-  return {number(0), sum.expression()};
+  return {number(0), expression_of(model, model.motion[mode])};
+}
+
+Equation series_equation(const CanonicalModel& model, const CanonicalSeries& series) {
+  Product left;
+  multiply_factor(left, model, series.function);
+  return {left.expression(), expression_of(model, series.terms)};
 }
 
 Equation quadrature_equation(const CanonicalModel& model, const CanonicalQuadrature& quadrature) {
