@@ -26,11 +26,11 @@ class DegreeSeries {
       }
   }
 
-  /// Whether there is anything but the part of degree 0.
-  bool moves() const {
-    for (std::size_t d = 1; d < parts_.size(); ++d)
-      for (const auto& terms : parts_[d].orders())
-        if (!terms.empty()) return true;
+  /// Whether a polynomial has anything but a part of degree 0, of whatever degree.
+  static bool moves(const Part& p, std::size_t variable) {
+    for (const auto& terms : p.orders())
+      for (const auto& [powers, value] : terms)
+        if (powers[variable] != 0 && value != Number{}) return true;
     return false;
   }
 

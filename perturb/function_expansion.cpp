@@ -5,8 +5,8 @@
 namespace secular {
 namespace {
 
-// Guard: some seconds of work.
-constexpr std::size_t most_products = 2'000'000;
+// Guard: some seconds of work. A function of ten coordinates to degree five takes 150,000.
+constexpr std::size_t most_products = 500'000;
 
 // f' = f2, f2' = sign * f from two values at zero: sin, cos, sinh, cosh, exp.
 GiNaC::exvector of_second_order(int value, int slope, int sign, int highest) {
@@ -71,14 +71,13 @@ GiNaC::exvector taylor_coefficients(SmoothKind kind, std::pair<long, long> expon
   return c;
 }
 
-TermSum FunctionExpansions::times(const TermSum& a, const TermSum& b) const {
-  std::size_t products = 0;
+TermSum FunctionExpansions::times(const TermSum& a, const TermSum& b) {
   TermSum result;
   for (const auto& [left, x] : a.terms()) {
     const int degree = degree_in_coordinates(left);
     for (const auto& [right, y] : b.terms()) {
       if (degree + degree_in_coordinates(right) > highest_) continue;
-      if (++products > most_products) throw ExpansionTooLong("has too many terms in its expansion");
+      if (++products_ > most_products) throw ExpansionTooLong("has too many terms in its expansion");
       FactorProduct product = left;
       for (const auto& [factor, power] : right) product[factor] += power;
       result.add(product, (x * y).expand());

@@ -29,9 +29,10 @@ class FunctionExpansions {
   TermSum of(const FactorProduct& product, const GiNaC::ex& coefficient);
 
  private:
-  TermSum times(const TermSum& a, const TermSum& b) const;
+  TermSum times(const TermSum& a, const TermSum& b);
 
   int highest_;
+  std::size_t products_ = 0;  // of terms, so far
   std::map<SmoothFunction, TermSum> known_;
 };
 

@@ -137,13 +137,13 @@ auto Substitution<Arithmetic>::power_jet(const Jet& base, const GiNaC::numeric& 
     for (int n = exponent.to_int(); n > 0; --n) whole = times(whole, base);
     return whole;
   }
-  const DegreeSeries<Arithmetic> u = by_degree(base.value);
-  if (!u.moves()) {
+  if (!DegreeSeries<Arithmetic>::moves(base.value, motion_.variables().degree())) {
     Jet whole = still(motion_.constant(1));
     const Jet inverse = reciprocal_constant(base);
     for (int n = exponent.to_int(); n < 0; ++n) whole = times(whole, inverse);
     return whole;
   }
+  const DegreeSeries<Arithmetic> u = by_degree(base.value);
   const auto raised = [&](const GiNaC::numeric& p) {
     EpsSeries<Number> lead = eps_power(Number(1), 0, u.at_rest().size());  // of what is 1 at rest
     if (p.is_integer())

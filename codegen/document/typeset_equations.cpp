@@ -175,33 +175,41 @@ void multiply_excitation(Product& product, const CanonicalModel& model, const Ca
 
 Expression expression_of(const CanonicalModel& model, const std::vector<CanonicalMotionTerm>& terms);
 
+// e to the power ratio * exponent.
+Expression exponential_of(const CanonicalRatio& ratio, Expression exponent) {
+  const Expression size = number(std::abs(ratio.numerator));
+  Product product;
+  if (ratio.denominator != 1)
+    product.times(fraction(size, number(ratio.denominator)));
+  else if (std::abs(ratio.numerator) != 1)
+    product.times(size);
+  return exponential(product.times(std::move(exponent)).expression());
+}
+
 void multiply_function(Product& product, const CanonicalModel& model, const CanonicalFactor& f) {
   Expression inner = expression_of(model, f.inner);
   const auto [numerator, denominator] = f.exponent;
-  const auto shown = [&]() -> std::string {
-    switch (f.function) {
-      case SmoothKind::logarithm:
-        return "ln";
-      case SmoothKind::arc_tangent:
-        return "arctan";
-      default:
-        return std::string(name_of(f.function));
-    }
-  };
-  if (f.function == SmoothKind::exponential) {
-    product.times(exponential(std::move(inner)), f.power);
-  } else if (f.function != SmoothKind::power) {
-    product.times(function(shown(), std::move(inner)), f.power);
-  } else if (denominator == 1) {
-    product.times(inner.kind == Expression::Kind::sum ? bracket(std::move(inner)) : std::move(inner),
-                  numerator * f.power);
-  } else if (denominator == 2) {
-    product.times(root(std::move(inner)), numerator * f.power);
-  } else {
-    Product exponent;
-    exponent.times(fraction(number(std::abs(numerator)), number(denominator)));
-    exponent.times(function("ln", std::move(inner)));
-    product.times(exponential(exponent.expression()), numerator < 0 ? -f.power : f.power);
+  switch (f.function) {
+    case SmoothKind::exponential:
+      product.times(exponential_of({f.power, 1}, std::move(inner)));
+      return;
+    case SmoothKind::power:
+      if (denominator == 1)
+        product.times(std::move(inner), numerator * f.power);
+      else if (denominator == 2)
+        product.times(root(std::move(inner)), numerator * f.power);
+      else
+        product.times(exponential_of({numerator * f.power, denominator}, function("ln", std::move(inner))),
+                      numerator < 0 ? -1 : 1);
+      return;
+    case SmoothKind::logarithm:
+      product.times(function("ln", std::move(inner)), f.power);
+      return;
+    case SmoothKind::arc_tangent:
+      product.times(function("arctan", std::move(inner)), f.power);
+      return;
+    default:
+      product.times(function(std::string(name_of(f.function)), std::move(inner)), f.power);
   }
 }
 

@@ -127,6 +127,13 @@ TEST(SmoothFunctions, DeriveWhatTheirPolynomialsDo) {
                free_to(3, "c = 1")));
 }
 
+// In a case that ends before the denominator's own power of x counts.
+TEST(SmoothFunctions, WhatIsBeyondACaseIsStillNoConstant) {
+  for (const int order : {1, 2})
+    expect_same_derivation(model_of("D2(x) + w^2*x = -g*x^2/(a - x^3)", free_to(order)),
+                           model_of("D2(x) + w^2*x = -g*x^2/a", free_to(order)));
+}
+
 TEST(SmoothFunctions, AnOrderTableOrdersTheirSeriesByDegree) {
   // `one` is 1 and brings the power of eps that the degree of a function's term does.
   const std::string shared = "relations = [\"Omega = w + eps^2*s\"]\nexpand_to = 3\n";
