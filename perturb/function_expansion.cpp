@@ -5,8 +5,8 @@
 namespace secular {
 namespace {
 
-// Guard: some seconds of work. A function of ten coordinates to degree five takes 150,000.
-constexpr std::size_t most_products = 500'000;
+// Guard: some seconds of work. A function of ten coordinates to degree five takes 14,000.
+constexpr std::size_t most_products = 200'000;
 
 // f' = f2, f2' = sign * f from two values at zero: sin, cos, sinh, cosh, exp.
 GiNaC::exvector of_second_order(int value, int slope, int sign, int highest) {
