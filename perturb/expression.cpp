@@ -19,8 +19,22 @@ namespace {
 
 constexpr int deepest_nesting =
     200;  // two levels a parenthesis: far more than a formula needs, far less than the stack
-constexpr std::array<FormulaFunction, 8> functions_of_equations = {
-    {{"D", 1}, {"D2", 1}, {"abs", 1}, {"sgn", 1}, {"cos", 1}, {"sin", 1}, {"max", 2}, {"min", 2}}};
+constexpr std::array<FormulaFunction, 16> functions_of_equations = {{{"D", 1},
+                                                                     {"D2", 1},
+                                                                     {"abs", 1},
+                                                                     {"sgn", 1},
+                                                                     {"cos", 1},
+                                                                     {"sin", 1},
+                                                                     {"max", 2},
+                                                                     {"min", 2},
+                                                                     {"tan", 1},
+                                                                     {"exp", 1},
+                                                                     {"sinh", 1},
+                                                                     {"cosh", 1},
+                                                                     {"tanh", 1},
+                                                                     {"log", 1},
+                                                                     {"atan", 1},
+                                                                     {"sqrt", 1}}};
 
 bool starts_identifier(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';

@@ -44,7 +44,8 @@ struct FormulaFunction {
   std::size_t arguments = 1;
 };
 
-/// Those of equations of motion: D, D2, abs, sgn, cos, sin of one argument, max and min of two.
+/// Those of equations of motion: D, D2, abs, sgn, cos, sin, tan, exp, sinh, cosh, tanh, log, atan, sqrt of one
+/// argument, max and min of two.
 std::span<const FormulaFunction> equation_functions();
 
 /// Parses + - * / ^ ( ) numbers, identifiers and calls f(x) or f(x, y). Powers bind tighter than a leading minus

@@ -22,9 +22,10 @@ bool is_identifier(const std::string& name) {
 }
 
 bool is_reserved(const std::string& name) {
-  static const std::set<std::string> reserved = {"t",   "eps", "Pi",  "I",   "D",   "D2",
-                                                 "abs", "sgn", "cos", "sin", "max", "min"};
-  return reserved.count(name) != 0;
+  static const std::set<std::string> reserved = {"t", "eps", "Pi", "I"};
+  const auto functions = equation_functions();
+  return reserved.count(name) != 0 ||
+         std::any_of(functions.begin(), functions.end(), [&](const FormulaFunction& f) { return f.name == name; });
 }
 
 // "F" pairs with "Omega", "F2" with "Omega2": the number behind the letter, or nothing for other names.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 #include <utility>
 
 #include "perturb/nonsmooth.hpp"
@@ -87,6 +88,8 @@ Field MotionSeries::product(const FactorProduct& factors, int order) const {
       case Factor::Kind::sign:
         nonsmooth = &factor;
         continue;
+      case Factor::Kind::smooth:
+        throw std::logic_error("a smooth function that was not expanded");
     }
     series.insert(series.end(), static_cast<std::size_t>(power), one);
   }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <set>
+#include <sstream>
 
 #include "input/input_error.hpp"
+#include "perturb/function_expansion.hpp"
 
 namespace secular {
 namespace {
@@ -29,6 +32,8 @@ std::string factor_text(const Factor& factor, const Model& model) {
     case Factor::Kind::sign:
       return (factor.kind == Factor::Kind::absolute ? "abs(" : "sgn(") +
              (factor.compound() ? argument_text(factor.argument) : derived(model.modes[index].coordinate)) + ")";
+    case Factor::Kind::smooth:
+      return factor.function.text();
   }
   return {};
 }
@@ -89,13 +94,6 @@ class CoefficientOrder {
   std::set<std::string> free_;
 };
 
-int degree_in_coordinates(const FactorProduct& product) {
-  int degree = 0;
-  for (const auto& [factor, power] : product)
-    if (factor.kind == Factor::Kind::coordinate || factor.kind == Factor::Kind::absolute) degree += power;
-  return degree;
-}
-
 }  // namespace
 
 std::string argument_text(const std::map<std::string, Factor::Weight>& argument) {
@@ -131,13 +129,26 @@ class LowestOrders {
     for (std::size_t i = 0; i < model.frequency_count(); ++i) frequencies_.insert(model.frequency_name(i));
   }
 
-  void add(const GiNaC::ex& monomial, int order, const std::string& term) {
-    for (GiNaC::const_preorder_iterator it = monomial.preorder_begin(); it != monomial.preorder_end(); ++it) {
+  void add(const GiNaC::ex& coefficient, int order, const std::string& term) {
+    for (GiNaC::const_preorder_iterator it = coefficient.preorder_begin(); it != coefficient.preorder_end(); ++it) {
       if (!GiNaC::is_a<GiNaC::symbol>(*it)) continue;
       const std::string name = GiNaC::ex_to<GiNaC::symbol>(*it).get_name();
       if (!has_order(name) || resonance_.may_act_nowhere.count(name) == 1) continue;
       const auto [entry, first] = lowest_.try_emplace(name, order, term);
       if (!first && order < entry->second.first) entry->second = {order, term};
+    }
+  }
+
+  // A symbol of a term that is expanded: it acts where one of the terms that come of it does.
+  void expect(const GiNaC::ex& of, const std::string& term) {
+    for (GiNaC::const_preorder_iterator it = of.preorder_begin(); it != of.preorder_end(); ++it)
+      if (GiNaC::is_a<GiNaC::symbol>(*it)) expected_.try_emplace(GiNaC::ex_to<GiNaC::symbol>(*it).get_name(), term);
+  }
+  void expect(const TermSum& sum, const std::string& term) {
+    for (const auto& [product, coefficient] : sum.terms()) {
+      expect(coefficient, term);
+      for (const auto& [factor, power] : product)
+        if (factor.kind == Factor::Kind::smooth) expect(factor.function.argument(), term);
     }
   }
 
@@ -154,6 +165,12 @@ class LowestOrders {
                        (resonance_.order.count(name) == 1 ? "lower the order of " + name + ", " : std::string()) +
                            "set expand_to = " + std::to_string(order) + ", or take the term out of the equation");
     }
+    for (const auto& [name, term] : expected_)
+      if (has_order(name) && resonance_.may_act_nowhere.count(name) == 0 && lowest_.count(name) == 0)
+        throw InputError(model_.file, resonance_.place(),
+                         "coefficient '" + name + "' acts nowhere: the series of " + term + " up to eps^" +
+                             std::to_string(resonance_.expand_to) + " does not hold it",
+                         "raise expand_to, or take the coefficient out of the equation");
   }
 
  private:
@@ -165,34 +182,185 @@ class LowestOrders {
   const ResonanceCase& resonance_;
   std::set<std::string> frequencies_;
   std::map<std::string, std::pair<int, std::string>> lowest_;
+  std::map<std::string, std::string> expected_;
 };
+
+// The terms of one equation by their powers of eps.
+class TermsByOrder {
+ public:
+  TermsByOrder(const Model& model, const ResonanceCase& resonance, LowestOrders& lowest)
+      : model_(model), resonance_(resonance), lowest_(lowest), coefficient_order_(model, resonance) {}
+
+  // Returns the lowest power of eps that a monomial of the coefficient brings.
+  int add(const FactorProduct& product, const GiNaC::ex& coefficient, bool by_degree) {
+    const std::string where = to_string(product, model_);
+    const int base = by_degree ? std::max(0, degree_in_coordinates(product) - 1) : 0;
+    const GiNaC::ex expanded = coefficient.expand();
+    const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
+    int least = resonance_.expand_to + 1;
+    for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
+      const GiNaC::ex monomial = is_sum ? expanded.op(i) : expanded;
+      const int order = base + coefficient_order_.of(monomial, where);
+      if (order < 0)
+        throw InputError(model_.file, resonance_.place(),
+                         "term " + where + " would be of order eps^" + std::to_string(order),
+                         "raise the order of its coefficient symbols");
+      by_order_[product][order] += monomial;
+      least = std::min(least, order);
+    }
+    return least;
+  }
+
+  // A term with smooth functions: the series of each as far as it counts.
+  void add_expanded(const FactorProduct& product, const GiNaC::ex& coefficient) {
+    const std::string where = to_string(product, model_);
+    TermSum term;
+    term.add(product, coefficient);
+    lowest_.expect(term, where);
+    int outer = 0, counts = -1;  // degree beside the functions; highest one of a term that counts
+    TermSum series;
+    try {
+      for (int degree = resonance_.expand_to + 1; series.empty() && degree <= resonance_.expand_to + beyond;
+           ++degree)
+        series = FunctionExpansions(degree).of(product, coefficient);
+    } catch (const ExpansionTooLong& error) {
+      throw InputError(model_.file, resonance_.place(), "term " + where + " " + error.what(),
+                       "lower expand_to, or write the function of fewer terms");
+    }
+    for (const auto& [expanded, part] : series.terms())
+      if (add(expanded, part, true) <= resonance_.expand_to)
+        counts = std::max(counts, degree_in_coordinates(expanded));
+    for (const auto& [factor, power] : product)
+      if (factor.kind == Factor::Kind::coordinate) outer += power;
+    for (const auto& [factor, power] : product)
+      if (factor.kind == Factor::Kind::smooth) note(factor.function, counts - outer);
+  }
+
+  // What has not cancelled counts for where coefficients act.
+  void tell_lowest_orders() {
+    for (const auto& [product, orders] : by_order_)
+      for (const auto& [order, coefficient] : orders) {
+        const GiNaC::ex sum = coefficient.expand();
+        if (!sum.is_zero()) lowest_.add(sum, order, to_string(product, model_));
+      }
+  }
+
+  std::map<FactorProduct, std::map<int, GiNaC::ex>>& by_order() { return by_order_; }
+  const std::vector<ExpandedFunction>& expanded() const { return expanded_; }
+
+ private:
+  static constexpr int beyond =
+      8;  // how much later a series may begin for its coefficients to be named in a message
+
+  void note(const SmoothFunction& function, int degree) {
+    const auto known = std::find_if(expanded_.begin(), expanded_.end(),
+                                    [&](const ExpandedFunction& e) { return e.function == function; });
+    if (known == expanded_.end())
+      expanded_.push_back({function, std::max(0, degree)});
+    else
+      known->degree = std::max(known->degree, degree);
+  }
+
+  const Model& model_;
+  const ResonanceCase& resonance_;
+  LowestOrders& lowest_;
+  CoefficientOrder coefficient_order_;
+  std::map<FactorProduct, std::map<int, GiNaC::ex>> by_order_;
+  std::vector<ExpandedFunction> expanded_;
+};
+
+bool has_function(const FactorProduct& product) {
+  return std::any_of(product.begin(), product.end(),
+                     [](const auto& entry) { return entry.first.kind == Factor::Kind::smooth; });
+}
+
+// "omega0^2*k" by the symbols' names: GiNaC's own order changes from run to run. Nothing for what is no product.
+std::optional<std::string> monomial_text(const GiNaC::ex& monomial) {
+  std::map<std::string, int> powers;
+  GiNaC::numeric number = 1;
+  for (std::size_t i = 0; i < (GiNaC::is_a<GiNaC::mul>(monomial) ? monomial.nops() : 1); ++i) {
+    const GiNaC::ex factor = GiNaC::is_a<GiNaC::mul>(monomial) ? monomial.op(i) : monomial;
+    const bool power = GiNaC::is_a<GiNaC::power>(factor) && GiNaC::is_a<GiNaC::numeric>(factor.op(1));
+    const GiNaC::ex base = power ? factor.op(0) : factor;
+    if (GiNaC::is_a<GiNaC::numeric>(factor))
+      number *= GiNaC::ex_to<GiNaC::numeric>(factor);
+    else if (GiNaC::is_a<GiNaC::symbol>(base))
+      powers[GiNaC::ex_to<GiNaC::symbol>(base).get_name()] +=
+          power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+    else
+      return std::nullopt;
+  }
+  std::ostringstream text;
+  if (number != 1 || powers.empty()) text << number;
+  for (const auto& [name, power] : powers) {
+    if (text.tellp() > 0) text << '*';
+    text << name;
+    if (power != 1) text << '^' << power;
+  }
+  return text.str();
+}
+
+// "(k + omega0^2)*x" for the linear part of an equation of order 0.
+std::string linear_part(const GiNaC::ex& coefficient, const std::string& coordinate) {
+  const GiNaC::ex sum = coefficient.expand();
+  if (sum.is_zero()) return "0";
+  const bool several = GiNaC::is_a<GiNaC::add>(sum);
+  std::vector<std::string> terms;
+  for (std::size_t i = 0; i < (several ? sum.nops() : 1); ++i) {
+    const std::optional<std::string> term = monomial_text(several ? sum.op(i) : sum);
+    if (!term) return "something else";
+    terms.push_back(*term);
+  }
+  std::sort(terms.begin(), terms.end());
+  std::string text;
+  for (const std::string& term : terms) {
+    const bool minus = term.front() == '-' && !text.empty();
+    text += (text.empty() ? "" : minus ? " - " : " + ") + (minus ? term.substr(1) : term);
+  }
+  return (several ? "(" + text + ")*" : text + "*") + coordinate;
+}
+
+[[noreturn]] void refuse_leading_term(const Model& model, const ResonanceCase& resonance, std::size_t k,
+                                      const FactorProduct& product, const GiNaC::ex& excess) {
+  const std::string& x = model.modes[k].coordinate;
+  const std::string oscillator = "D2(" + x + ") + " + model.modes[k].frequency + "^2*" + x;
+  const Factor position{Factor::Kind::coordinate, static_cast<int>(k), 0, 1};
+  if (product == FactorProduct{{position, 1}})
+    throw InputError(model.file, resonance.place(),
+                     "equation of '" + x + "': its linear part at order eps^0 is " +
+                         linear_part(excess + GiNaC::pow(model.frequency(k), 2), x) + ", not " +
+                         model.modes[k].frequency + "^2*" + x,
+                     "write the equation so that functions and terms of order 0 leave " + oscillator +
+                         " alone, as c*(sin(" + x + ") - " + x + "), or give a coefficient a positive order");
+  if (product.empty())
+    throw InputError(
+        model.file, resonance.place(),
+        "equation of '" + x + "': a constant force of order eps^0 moves the rest position away from " + x + " = 0",
+        "count " + x + " from the rest position, or give the constant a positive order");
+  throw InputError(model.file, resonance.place(),
+                   "equation of '" + x + "': term " + to_string(product, model) +
+                       " at order eps^0 is not part of the linear oscillator " + oscillator,
+                   "give its coefficient a positive order, or correct the equation's linear part");
+}
 
 }  // namespace
 
 std::vector<OrderedEquation> ordered_equations(const Model& model, const ResonanceCase& resonance) {
-  const CoefficientOrder coefficient_order(model, resonance);
   LowestOrders lowest(model, resonance);
   const std::vector<TermSum> equations = equations_of_motion(model);
   std::vector<OrderedEquation> ordered(equations.size());
   for (std::size_t k = 0; k < equations.size(); ++k) {
-    std::map<FactorProduct, std::map<int, GiNaC::ex>> by_order;
+    TermsByOrder terms(model, resonance, lowest);
     for (const auto& [product, coefficient] : equations[k].terms()) {
       if (!resonance.excited && excited(product)) continue;
-      const std::string where = to_string(product, model);
-      const int base = resonance.degree_ordering ? std::max(0, degree_in_coordinates(product) - 1) : 0;
-      const GiNaC::ex expanded = coefficient.expand();
-      const bool is_sum = GiNaC::is_a<GiNaC::add>(expanded);
-      for (std::size_t i = 0; i < (is_sum ? expanded.nops() : 1); ++i) {
-        const GiNaC::ex monomial = is_sum ? expanded.op(i) : expanded;
-        const int order = base + coefficient_order.of(monomial, where);
-        if (order < 0)
-          throw InputError(model.file, resonance.place(),
-                           "term " + where + " would be of order eps^" + std::to_string(order),
-                           "raise the order of its coefficient symbols");
-        by_order[product][order] += monomial;
-        lowest.add(monomial, order, where);
-      }
+      if (has_function(product))
+        terms.add_expanded(product, coefficient);
+      else
+        terms.add(product, coefficient, resonance.degree_ordering);
     }
+    terms.tell_lowest_orders();
+    ordered[k].expanded = terms.expanded();
+    auto& by_order = terms.by_order();
     const Factor position{Factor::Kind::coordinate, static_cast<int>(k), 0, 1};
     const Factor acceleration{Factor::Kind::coordinate, static_cast<int>(k), 2, 1};
     by_order[{{position, 1}}][0] -= GiNaC::pow(model.frequency(k), 2);
@@ -205,13 +373,7 @@ std::vector<OrderedEquation> ordered_equations(const Model& model, const Resonan
             excited(product) && std::all_of(product.begin(), product.end(), [](const auto& entry) {
               return entry.first.kind != Factor::Kind::coordinate && !entry.first.nonsmooth();
             });
-        if (order == 0 && !hard_forcing)
-          throw InputError(model.file, resonance.place(),
-                           "equation of '" + model.modes[k].coordinate + "': term " + to_string(product, model) +
-                               " at order eps^0 is not part of the linear oscillator D2(" +
-                               model.modes[k].coordinate + ") + " + model.modes[k].frequency + "^2*" +
-                               model.modes[k].coordinate,
-                           "give its coefficient a positive order, or correct the equation's linear part");
+        if (order == 0 && !hard_forcing) refuse_leading_term(model, resonance, k, product, coefficient);
         if (order > resonance.expand_to) continue;
         ordered[k].right_hand_side.push_back({product, order, (-coefficient).expand()});
       }

@@ -10,6 +10,7 @@
 #include "perturb/formula_value.hpp"
 #include "perturb/fourier_quadrature.hpp"
 #include "perturb/nonsmooth.hpp"
+#include "perturb/smooth_function.hpp"
 
 namespace secular {
 namespace {
@@ -41,8 +42,7 @@ auto Substitution<Arithmetic>::residual(std::size_t k) -> Polynomial {
     sum += jet(mode.equation->left, mode.source).value;
     sum += jet(mode.equation->right.front(), mode.source).value.negated();
   }
-  return d_.resonance->degree_ordering ? ordered_by_degree(sum, motion_.variables())
-                                       : normal_form(sum, motion_.variables());
+  return normal_form(sum, motion_.variables(), d_.resonance->degree_ordering);
 }
 
 template <class Arithmetic>
@@ -86,7 +86,7 @@ auto Substitution<Arithmetic>::derived(const Jet& inner) const -> Jet {
   return result;
 }
 
-// Denominators hold symbols and numbers only: a constant with one power of eps per symbol.
+// A denominator of symbols and numbers only: a constant with one power of eps per symbol.
 template <class Arithmetic>
 auto Substitution<Arithmetic>::reciprocal_constant(const Jet& divisor) const -> Jet {
   const auto& orders = divisor.value.orders();
@@ -94,6 +94,87 @@ auto Substitution<Arithmetic>::reciprocal_constant(const Jet& divisor) const -> 
   for (std::size_t n = 0; n < orders.size(); ++n)
     for (const auto& [powers, number] : orders[n]) value[n] += number;
   return still(Polynomial::constant(reciprocal(value, Arithmetic::inverse), motion_.variables().size()));
+}
+
+// --- functions
+
+// Every term of a function is marked as coming out of one.
+template <class Arithmetic>
+auto Substitution<Arithmetic>::marked(const Polynomial& p) const -> Polynomial {
+  Polynomial result = motion_.zero();
+  for (std::size_t n = 0; n < p.orders().size(); ++n)
+    for (const auto& [powers, value] : p.orders()[n]) {
+      TrueTimePowers mark = powers;
+      ++mark[motion_.variables().functions()];
+      result.add(n, mark, value);
+    }
+  return result;
+}
+
+// Terms of degree d come in at eps^(d-1) or later.
+template <class Arithmetic>
+auto Substitution<Arithmetic>::by_degree(const Polynomial& p) const -> DegreeSeries<Arithmetic> {
+  const TrueTimeVariables& variables = motion_.variables();
+  return {p, variables.degree(), static_cast<std::size_t>(d_.resonance->expand_to) + 1, variables.size()};
+}
+
+template <class Arithmetic>
+auto Substitution<Arithmetic>::composed(const Jet& argument, const DegreeSeries<Arithmetic>& value,
+                                        const DegreeSeries<Arithmetic>& slope) const -> Jet {
+  Jet result = still(marked(value.sum()));
+  if (varied_) {
+    const Polynomial factor = marked(slope.sum());
+    result.by_position = factor * argument.by_position;
+    result.by_velocity = factor * argument.by_velocity;
+  }
+  return result;
+}
+
+template <class Arithmetic>
+auto Substitution<Arithmetic>::power_jet(const Jet& base, const GiNaC::numeric& exponent) const -> Jet {
+  if (exponent.is_integer() && !exponent.is_negative()) {
+    Jet whole = still(motion_.constant(1));
+    for (int n = exponent.to_int(); n > 0; --n) whole = times(whole, base);
+    return whole;
+  }
+  if (!DegreeSeries<Arithmetic>::moves(base.value, motion_.variables().degree())) {
+    Jet whole = still(motion_.constant(1));
+    const Jet inverse = reciprocal_constant(base);
+    for (int n = exponent.to_int(); n < 0; ++n) whole = times(whole, inverse);
+    return whole;
+  }
+  const DegreeSeries<Arithmetic> u = by_degree(base.value);
+  const auto raised = [&](const GiNaC::numeric& p) {
+    EpsSeries<Number> lead = eps_power(Number(1), 0, u.at_rest().size());  // of what is 1 at rest
+    if (p.is_integer())
+      for (int n = p.to_int(); n < 0; ++n) lead = product(lead, reciprocal(u.at_rest(), Arithmetic::inverse));
+    return u.power(arithmetic_.number(p), lead);
+  };
+  return composed(base, raised(exponent), raised(exponent - 1).scaled(arithmetic_.number(exponent)));
+}
+
+template <class Arithmetic>
+auto Substitution<Arithmetic>::function_jet(const std::string& name, const Jet& argument) const -> Jet {
+  const DegreeSeries<Arithmetic> u = by_degree(argument.value);
+  const EpsSeries<Number> one = eps_power(Number(1), 0, argument.value.orders().size());
+  const Number minus = -Number(1);
+  if (name == "exp") {
+    const auto pair = u.second_order(1, 1, 1);
+    return composed(argument, pair.f, pair.g);
+  }
+  if (name == "log") return composed(argument, u.logarithm(), u.power(minus, one));
+  if (name == "atan") {
+    DegreeSeries<Arithmetic> slope = u.arc_tangent();  // cos(atan(u))^2
+    slope = slope.second_order(1, 0, -1).f;
+    return composed(argument, u.arc_tangent(), slope * slope);
+  }
+  const bool hyperbolic = name.back() == 'h';
+  const auto pair = u.second_order(0, 1, hyperbolic ? 1 : -1);  // sine and cosine
+  if (name == "sin" || name == "sinh") return composed(argument, pair.f, pair.g);
+  if (name == "cos" || name == "cosh")
+    return composed(argument, pair.g, pair.f.scaled(hyperbolic ? Number(1) : minus));
+  const DegreeSeries<Arithmetic> inverse = pair.g.power(minus, one);
+  return composed(argument, u.riccati(hyperbolic ? -1 : 1), inverse * inverse);
 }
 
 // --- the equations, node by node
@@ -121,14 +202,12 @@ auto Substitution<Arithmetic>::jet(const Expression& e, const FormulaSource& sou
       return whole;
     }
     case Expression::Kind::quotient:
-      return times(jet(e.operands[0], source), reciprocal_constant(jet(e.operands[1], source)));
-    case Expression::Kind::power: {
-      const int exponent = integer_exponent(e, source);
-      Jet base = jet(e.operands[0], source), whole = still(motion_.constant(1));
-      if (exponent < 0) base = reciprocal_constant(base);
-      for (int n = std::abs(exponent); n > 0; --n) whole = times(whole, base);
-      return whole;
-    }
+      return times(jet(e.operands[0], source), power_jet(jet(e.operands[1], source), -1));
+    case Expression::Kind::power:
+      return power_jet(jet(e.operands[0], source),
+                       GiNaC::ex_to<GiNaC::numeric>(formula_value(e.operands[1], source, [](const Expression&) {
+                         return GiNaC::ex(0);  // an exponent holds no symbols
+                       })));
     case Expression::Kind::negation: {
       const Jet inner = jet(e.operands[0], source);
       return {inner.value.negated(), inner.by_position.negated(), inner.by_velocity.negated()};
@@ -156,7 +235,12 @@ auto Substitution<Arithmetic>::symbol_jet(const Expression& e) const -> Jet {
 
 template <class Arithmetic>
 auto Substitution<Arithmetic>::call_jet(const Expression& e, const FormulaSource& source) -> Jet {
-  if (e.text == "cos" || e.text == "sin") return still(clock(e, source));
+  if (e.text == "sqrt") return power_jet(jet(e.operands[0], source), GiNaC::numeric(1, 2));
+  if (smooth_kind(e.text)) {
+    const std::vector<std::string> symbols = identifiers(e);
+    if (std::find(symbols.begin(), symbols.end(), "t") != symbols.end()) return still(clock(e, source));
+    return function_jet(e.text, jet(e.operands[0], source));
+  }
   if (e.text == "D") return derived(jet(e.operands[0], source));
   if (e.text == "D2") {
     // The coordinates' own accelerations are at hand.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "perturb/degree_series.hpp"
 #include "perturb/true_time_motion.hpp"
 
 namespace secular {
@@ -44,6 +45,12 @@ class Substitution {
 
   Jet jet(const Expression& e, const FormulaSource& source);
   Jet symbol_jet(const Expression& e) const;
+  Jet power_jet(const Jet& base, const GiNaC::numeric& exponent) const;
+  Jet function_jet(const std::string& name, const Jet& argument) const;
+  Jet composed(const Jet& argument, const DegreeSeries<Arithmetic>& value,
+               const DegreeSeries<Arithmetic>& slope) const;
+  Polynomial marked(const Polynomial& p) const;
+  DegreeSeries<Arithmetic> by_degree(const Polynomial& p) const;
   Jet call_jet(const Expression& e, const FormulaSource& source);
   Polynomial clock(const Expression& e, const FormulaSource& source) const;
   Polynomial nonsmooth_function(bool absolute, const Polynomial& x);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perturb/formula_value.hpp"
+#include "perturb/smooth_reading.hpp"
 
 namespace secular {
 
@@ -48,6 +49,11 @@ TermSum TermSum::scaled(const GiNaC::ex& scale) const {
   return *this * constant(scale);
 }
 
+GiNaC::ex TermSum::constant_part() const {
+  const auto found = terms_.find({});
+  return found == terms_.end() ? GiNaC::ex(0) : found->second;
+}
+
 TermSum TermSum::power(int exponent) const {
   TermSum result = constant(1);
   for (int i = 0; i < exponent; ++i) result = result * *this;
@@ -60,6 +66,12 @@ TermSum TermSum::time_derivative() const {
     for (const auto& [factor, power] : product) {
       FactorProduct derived = product;
       if (--derived[factor] == 0) derived.erase(factor);
+      if (factor.kind == Factor::Kind::smooth) {
+        TermSum rest;
+        rest.add(derived, coefficient * power);
+        result += rest * factor.function.slope() * factor.function.argument().time_derivative();
+        continue;
+      }
       Factor raised = factor;
       ++raised.derivative;
       ++derived[raised];
@@ -70,13 +82,22 @@ TermSum TermSum::time_derivative() const {
 
 TermSum TermSum::partial(const Factor& by) const {
   TermSum result;
-  for (const auto& [product, coefficient] : terms_) {
-    const auto found = product.find(by);
-    if (found == product.end()) continue;
-    FactorProduct derived = product;
-    if (--derived[by] == 0) derived.erase(by);
-    result.add(derived, coefficient * found->second);
-  }
+  for (const auto& [product, coefficient] : terms_)
+    for (const auto& [factor, power] : product) {
+      const bool smooth = factor.kind == Factor::Kind::smooth;
+      if (!smooth && factor != by) continue;
+      FactorProduct derived = product;
+      if (--derived[factor] == 0) derived.erase(factor);
+      if (smooth) {
+        const TermSum inner = factor.function.argument().partial(by);
+        if (inner.empty()) continue;
+        TermSum rest;
+        rest.add(derived, coefficient * power);
+        result += rest * factor.function.slope() * inner;
+      } else {
+        result.add(derived, coefficient * power);
+      }
+    }
   return result;
 }
 
@@ -109,7 +130,7 @@ class TermReader {
         return joined_excitation(product);
       }
       case Expression::Kind::quotient:
-        return joined_excitation(value(e.operands[0]).scaled(1 / coefficient(e.operands[1], "a denominator")));
+        return quotient(e);
       case Expression::Kind::power:
         return power(e);
       case Expression::Kind::negation:
@@ -136,23 +157,36 @@ class TermReader {
     return TermSum::constant(model_.symbols.at(e.text));
   }
 
-  // A factor-free value: parameters and numbers only.
-  GiNaC::ex coefficient(const Expression& e, const char* where) {
-    const TermSum sum = value(e);
-    if (sum.empty()) fail_at(source_, e.place, "division by zero", "correct the denominator");
-    if (sum.terms().size() != 1 || !sum.terms().begin()->first.empty())
-      fail_at(source_, e.place, std::string("a coordinate or excitation in ") + where,
-              "expand the term into a polynomial first");
-    return sum.terms().begin()->second;
+  // Parameters and numbers only.
+  static bool is_constant(const TermSum& sum) {
+    return sum.terms().size() == 1 && sum.terms().begin()->first.empty();
+  }
+
+  TermSum smooth(const Expression& e, SmoothKind kind, std::pair<long, long> exponent, TermSum inside,
+                 const Expression& argument) const {
+    return smooth_term({&e, &argument, kind, exponent, std::move(inside)}, model_, source_);
+  }
+
+  TermSum quotient(const Expression& e) {
+    const TermSum numerator = value(e.operands[0]), denominator = value(e.operands[1]);
+    if (denominator.empty()) fail_at(source_, e.operands[1].place, "division by zero", "correct the denominator");
+    if (is_constant(denominator))
+      return joined_excitation(numerator.scaled(1 / denominator.terms().begin()->second));
+    return joined_excitation(
+        limited(numerator * smooth(e, SmoothKind::power, {-1, 1}, denominator, e.operands[1]), e.place));
   }
 
   TermSum power(const Expression& e) {
-    const int exponent = integer_exponent(e, source_);
-    if (exponent < 0)
-      return TermSum::constant(GiNaC::pow(coefficient(e.operands[0], "a negative power"), exponent));
+    const std::pair<long, long> exponent = rational_exponent(e, source_);
     const TermSum base = value(e.operands[0]);
+    if (exponent.second != 1) return smooth(e, SmoothKind::power, exponent, base, e.operands[0]);
+    if (exponent.first < 0) {
+      if (base.empty()) fail_at(source_, e.operands[0].place, "division by zero", "correct the denominator");
+      if (!is_constant(base)) return smooth(e, SmoothKind::power, exponent, base, e.operands[0]);
+      return TermSum::constant(GiNaC::pow(base.terms().begin()->second, static_cast<int>(exponent.first)));
+    }
     TermSum result = TermSum::constant(1);
-    for (int i = 0; i < exponent; ++i) result = limited(result * base, e.place);
+    for (long i = 0; i < exponent.first; ++i) result = limited(result * base, e.place);
     return joined_excitation(result);
   }
 
@@ -164,7 +198,7 @@ class TermReader {
         for (const auto& [factor, power] : product)
           if (factor.nonsmooth() || factor.kind == Factor::Kind::clock_cos ||
               factor.kind == Factor::Kind::clock_sin)
-            fail_at(source_, e.place, "derivative of a function that is not a coordinate or F*cos(Omega*t)",
+            fail_at(source_, e.place, "derivative of abs, sgn, max, min or of cos or sin of time without F",
                     "write the derivative out");
       const TermSum derived = e.text == "D" ? inside.time_derivative() : inside.time_derivative().time_derivative();
       for (const auto& [product, ignored] : derived.terms())
@@ -183,7 +217,9 @@ class TermReader {
       result += nonsmooth(true, difference, e.place).scaled(e.text == "max" ? 1 : -1);
       return result.scaled(GiNaC::numeric(1, 2));
     }
-    return clock(e);
+    if (e.text == "sqrt") return smooth(e, SmoothKind::power, {1, 2}, value(argument), argument);
+    if ((e.text == "cos" || e.text == "sin") && holds_time(argument)) return clock(e);
+    return smooth(e, smooth_kind(e.text).value(), {1, 1}, value(argument), argument);
   }
 
   // abs(c*x) = |c| abs(x), sgn(c*x) = sgn(c) sgn(x) for a number c and x a sum of coordinates, velocities and
@@ -246,6 +282,12 @@ class TermReader {
     return TermSum::factor(made).scaled(lead.is_negative() ? -1 : 1);
   }
 
+  // Outside the functions in it.
+  static bool holds_time(const Expression& e) {
+    if (e.kind == Expression::Kind::symbol) return e.text == "t";
+    return e.kind != Expression::Kind::call && std::any_of(e.operands.begin(), e.operands.end(), holds_time);
+  }
+
   // cos(n*Omega*t), sin(n*Omega*t) with an integer n.
   TermSum clock(const Expression& e) {
     const GiNaC::symbol time("t");
@@ -253,8 +295,9 @@ class TermReader {
         formula_value(e.operands[0], source_, [&](const Expression& symbol) -> GiNaC::ex {
           if (symbol.text == "t") return time;
           if (model_.symbols.contains(symbol.text)) return model_.symbols.at(symbol.text);
-          fail_at(source_, symbol.place, e.text + " of the coordinate '" + symbol.text + "'",
-                  "expand " + e.text + " into a polynomial; cos and sin are for the excitation, cos(Omega*t)");
+          fail_at(source_, symbol.place, e.text + " of the coordinate '" + symbol.text + "' and of time",
+                  "write it out by the addition theorem: cos(Omega*t) and " + e.text + "(" + symbol.text +
+                      ") stand each for itself");
         }).expand();
     for (std::size_t i = 0; i < model_.excitations.size(); ++i) {
       const GiNaC::ex multiple = phase / (model_.symbols.at(model_.excitations[i].frequency) * time);
@@ -330,7 +373,7 @@ std::vector<TermSum> lagrange_equations(const Model& model) {
       for (const auto& [factor, power] : product)
         if (factor.nonsmooth() || (factor.kind == Factor::Kind::coordinate && factor.derivative > 1))
           fail_at(*source, {source->first_line, 1}, "energy with abs, sgn or D2",
-                  "energies are polynomials in coordinates and velocities");
+                  "energies are smooth functions of coordinates and velocities");
   std::vector<TermSum> equations;
   for (std::size_t i = 0; i < model.modes.size(); ++i) {
     const Factor position{Factor::Kind::coordinate, static_cast<int>(i), 0, 1};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "perturb/model.hpp"
+#include "perturb/smooth_function.hpp"
 
 namespace secular {
 
@@ -21,6 +22,7 @@ struct Factor {
     clock_sin,   ///< sin(multiple*Omega*t)
     absolute,    ///< abs of a coordinate factor, or of `argument`
     sign,        ///< sgn of a coordinate factor, or of `argument`
+    smooth,      ///< `function` of coordinates and velocities
   };
   /// A rational weight, numerator and denominator.
   using Weight = std::pair<long, long>;
@@ -31,6 +33,7 @@ struct Factor {
   /// abs and sgn of more than one coordinate factor: sum of weight * ("v", "D(v)", a parameter's name or "1").
   /// Empty where `index` and `derivative` say it all; otherwise they name the first coordinate factor in it.
   std::map<std::string, Weight> argument = {};
+  SmoothFunction function = {};
   auto operator<=>(const Factor&) const = default;
   bool nonsmooth() const { return kind == Kind::absolute || kind == Kind::sign; }
   bool compound() const { return !argument.empty(); }
@@ -39,8 +42,8 @@ struct Factor {
 /// Factors with positive powers.
 using FactorProduct = std::map<Factor, int>;
 
-/// A sum of terms coefficient * factors: the polynomial form of an equation. Coefficients hold parameters and
-/// frequencies only.
+/// A sum of terms coefficient * factors: the polynomial form of an equation, in coordinates and smooth functions of
+/// them. Coefficients hold parameters and frequencies only.
 class TermSum {
  public:
   TermSum() = default;
@@ -53,14 +56,17 @@ class TermSum {
   TermSum power(int exponent) const;  ///< 1 for an exponent that is not positive
   /// Total time derivative by the product rule.
   TermSum time_derivative() const;
-  /// Partial derivative with respect to one coordinate factor.
+  /// Partial derivative with respect to one coordinate factor, through smooth functions as well.
   TermSum partial(const Factor& by) const;
 
   const std::map<FactorProduct, GiNaC::ex>& terms() const { return terms_; }
   bool empty() const { return terms_.empty(); }
+  /// The coefficient of no factors.
+  GiNaC::ex constant_part() const;
+
+  void add(const FactorProduct& product, const GiNaC::ex& coefficient);
 
  private:
-  void add(const FactorProduct& product, const GiNaC::ex& coefficient);
   std::map<FactorProduct, GiNaC::ex> terms_;
 };
 

@@ -18,6 +18,7 @@ TrueTimePowers normal_form(TrueTimePowers powers, const TrueTimeVariables& varia
     modulus = odd;
   }
   powers[variables.degree()] = 0;
+  powers[variables.functions()] = 0;
   return powers;
 }
 

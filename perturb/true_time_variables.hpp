@@ -14,7 +14,8 @@
 namespace secular {
 
 /// Where each variable of a function of true time stands in a polynomial's powers:
-/// exp(i f_j t) of every frequency | A_k | conj A_k | |A_k| | degree in the coordinates.
+/// exp(i f_j t) of every frequency | A_k | conj A_k | |A_k| | degree in the coordinates | smooth functions that the
+/// term came out of.
 struct TrueTimeVariables {
   std::size_t frequencies = 0, modes = 0;
 
@@ -22,7 +23,8 @@ struct TrueTimeVariables {
   std::size_t conjugate(std::size_t mode) const { return amplitude(modes) + mode; }
   std::size_t modulus(std::size_t mode) const { return conjugate(modes) + mode; }
   std::size_t degree() const { return modulus(modes); }
-  std::size_t size() const { return degree() + 1; }
+  std::size_t functions() const { return degree() + 1; }
+  std::size_t size() const { return functions() + 1; }
 };
 
 /// Powers of the variables of one term.
@@ -34,25 +36,21 @@ bool has_odd_modulus(const TrueTimePowers& powers, const TrueTimeVariables& vari
 /// "A_v^2*conj(A_v)*exp(i*(omega+Omega)*t)".
 std::string to_string(const TrueTimePowers& powers, const Model& model);
 
-/// |A|^2 = A conj(A) used so that |A| is left to the power 0 or 1; the degree is dropped.
+/// |A|^2 = A conj(A) used so that |A| is left to the power 0 or 1; degree and functions are dropped.
 TrueTimePowers normal_form(TrueTimePowers powers, const TrueTimeVariables& variables);
 
+/// The normal form where a term of degree d in the coordinates carries eps^(d-1): every term, or those that came
+/// out of a smooth function.
 template <class Number>
-GradedPolynomial<Number> normal_form(const GradedPolynomial<Number>& p, const TrueTimeVariables& variables) {
+GradedPolynomial<Number> normal_form(const GradedPolynomial<Number>& p, const TrueTimeVariables& variables,
+                                     bool all_by_degree) {
   GradedPolynomial<Number> result(static_cast<int>(p.orders().size()) - 1);
   for (std::size_t n = 0; n < p.orders().size(); ++n)
-    for (const auto& [powers, value] : p.orders()[n]) result.add(n, normal_form(powers, variables), value);
-  return result;
-}
-
-/// The normal form where a term of degree d in the coordinates carries eps^(d-1).
-template <class Number>
-GradedPolynomial<Number> ordered_by_degree(const GradedPolynomial<Number>& p, const TrueTimeVariables& variables) {
-  GradedPolynomial<Number> result(static_cast<int>(p.orders().size()) - 1);
-  for (std::size_t n = 0; n < p.orders().size(); ++n)
-    for (const auto& [powers, value] : p.orders()[n])
-      result.add(n + static_cast<std::size_t>(std::max(0, powers[variables.degree()] - 1)),
-                 normal_form(powers, variables), value);
+    for (const auto& [powers, value] : p.orders()[n]) {
+      const bool by_degree = all_by_degree || powers[variables.functions()] > 0;
+      const int later = by_degree ? std::max(0, powers[variables.degree()] - 1) : 0;
+      result.add(n + static_cast<std::size_t>(later), normal_form(powers, variables), value);
+    }
   return result;
 }
 

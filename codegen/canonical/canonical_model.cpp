@@ -10,7 +10,9 @@
 #include "codegen/canonical/dimensions.hpp"
 #include "input/input_error.hpp"
 #include "perturb/certificate.hpp"
+#include "perturb/function_expansion.hpp"
 #include "perturb/lump_equations.hpp"
+#include "perturb/ordered_equation.hpp"
 #include "perturb/term_sum.hpp"
 
 namespace secular {
@@ -80,7 +82,9 @@ std::string phase_name(const std::vector<int>& phase, const Model& model) {
   return name.empty() ? "0" : name;
 }
 
-CanonicalFactor canonical_factor(const Factor& factor, int power) {
+std::vector<CanonicalMotionTerm> canonical_sum(const TermSum& sum, const CanonicalForm& form);
+
+CanonicalFactor canonical_factor(const Factor& factor, int power, const CanonicalForm& form) {
   CanonicalFactor flat;
   flat.index = static_cast<std::size_t>(factor.index);
   flat.derivative = factor.derivative;
@@ -110,8 +114,52 @@ CanonicalFactor canonical_factor(const Factor& factor, int power) {
     case Factor::Kind::sign:
       flat.kind = CanonicalFactor::Kind::sign;
       break;
+    case Factor::Kind::smooth:
+      flat.kind = CanonicalFactor::Kind::smooth;
+      flat.function = factor.function.kind();
+      flat.exponent = {static_cast<int>(factor.function.exponent().first),
+                       static_cast<int>(factor.function.exponent().second)};
+      flat.inner = canonical_sum(factor.function.argument(), form);
+      break;
   }
   return flat;
+}
+
+// Of terms without accelerations.
+std::vector<CanonicalMotionTerm> canonical_sum(const TermSum& sum, const CanonicalForm& form) {
+  std::vector<CanonicalMotionTerm> terms;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    CanonicalMotionTerm& term = terms.emplace_back();
+    term.coefficient = form.of(coefficient);
+    for (const auto& [factor, power] : product) term.factors.push_back(canonical_factor(factor, power, form));
+  }
+  return terms;
+}
+
+std::vector<CanonicalSeries> canonical_series(const Model& model, const ResonanceCase& resonance,
+                                              const CanonicalForm& form) {
+  std::map<SmoothFunction, int> degrees;
+  for (const OrderedEquation& equation : ordered_equations(model, resonance))
+    for (const ExpandedFunction& expanded : equation.expanded) {
+      const auto [known, added] = degrees.try_emplace(expanded.function, expanded.degree);
+      known->second = std::max(known->second, expanded.degree);
+    }
+  std::vector<CanonicalSeries> result;
+  for (const auto& [function, degree] : degrees) {
+    Factor factor{Factor::Kind::smooth, 0, 0, 1};
+    factor.function = function;
+    result.push_back(
+        {canonical_factor(factor, 1, form), degree, canonical_sum(FunctionExpansions(degree).of(function), form)});
+    std::stable_sort(result.back().terms.begin(), result.back().terms.end(), [](const auto& a, const auto& b) {
+      const auto total = [](const CanonicalMotionTerm& term) {
+        int sum = 0;
+        for (const CanonicalFactor& f : term.factors) sum += f.power;
+        return sum;
+      };
+      return total(a) < total(b);
+    });
+  }
+  return result;
 }
 
 std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum& equation,
@@ -121,7 +169,7 @@ std::vector<CanonicalMotionTerm> motion_terms(const Model& model, const TermSum&
     CanonicalMotionTerm term;
     term.coefficient = form.of(coefficient);
     for (const auto& [factor, power] : product) {
-      CanonicalFactor flat = canonical_factor(factor, power);
+      CanonicalFactor flat = canonical_factor(factor, power, form);
       if (flat.kind != CanonicalFactor::Kind::acceleration) {
         term.factors.push_back(std::move(flat));
         continue;
@@ -168,9 +216,11 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
     CanonicalForm::Parts rate = form.parts(nominal.quadrature_rate(quadrature));
     CanonicalQuadrature flat{
         quadrature.mode, quadrature.order, std::move(rate.real), std::move(rate.imaginary), {}};
-    for (const auto& [factor, power] : quadrature.factors) flat.factors.push_back(canonical_factor(factor, power));
+    for (const auto& [factor, power] : quadrature.factors)
+      flat.factors.push_back(canonical_factor(factor, power, form));
     result.quadratures.push_back(std::move(flat));
   }
+  result.series = canonical_series(model, resonance, form);
   const Certificate certificate = certify(nominal);
   result.certificate = {certificate.holds,
                         certificate.order,
@@ -261,6 +311,15 @@ class Digest {
       add(name);
       add(weight);
     }
+    if (f.kind != CanonicalFactor::Kind::smooth) return;
+    add(fmt::format("{} {}", static_cast<int>(f.function), f.inner.size()));
+    add(f.exponent);
+    for (const CanonicalMotionTerm& term : f.inner) add(term);
+  }
+  void add(const CanonicalMotionTerm& term) {
+    add(term.coefficient);
+    add(term.acceleration_of ? std::to_string(*term.acceleration_of) : "-");
+    for (const CanonicalFactor& f : term.factors) add(f);
   }
   void add(const CanonicalBlock& block) {
     add(fmt::format("{} {} {} {}", block.modulation, block.mode, block.order, block.name));
@@ -312,11 +371,7 @@ class Digest {
     for (const CanonicalDimension& dimension : model.parameter_dimensions) add(dimension);
     for (const std::optional<double>& value : model.nominal) add(value ? fmt::format("{:a}", *value) : "none");
     for (const auto& equation : model.motion)
-      for (const CanonicalMotionTerm& term : equation) {
-        add(term.coefficient);
-        add(term.acceleration_of ? std::to_string(*term.acceleration_of) : "-");
-        for (const CanonicalFactor& f : term.factors) add(f);
-      }
+      for (const CanonicalMotionTerm& term : equation) add(term);
     for (const CanonicalCase& c : model.cases) add(c);
   }
   std::string text() const { return fmt::format("{:016x}", hash_); }
@@ -335,6 +390,14 @@ std::string fingerprint(const CanonicalModel& model) {
 }
 
 }  // namespace
+
+bool has_smooth_functions(const CanonicalModel& model) {
+  for (const auto& equation : model.motion)
+    for (const CanonicalMotionTerm& term : equation)
+      for (const CanonicalFactor& factor : term.factors)
+        if (factor.kind == CanonicalFactor::Kind::smooth) return true;
+  return false;
+}
 
 SymbolOrder symbol_order(const Model& model) {
   SymbolOrder order;

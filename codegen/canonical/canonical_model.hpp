@@ -68,9 +68,21 @@ struct CanonicalRelation {
   std::string text;
 };
 
+struct CanonicalMotionTerm;
+
 /// One factor of a term of an equation of motion.
 struct CanonicalFactor {
-  enum class Kind { displacement, velocity, acceleration, excitation, absolute, sign, clock_cos, clock_sin };
+  enum class Kind {
+    displacement,
+    velocity,
+    acceleration,
+    excitation,
+    absolute,
+    sign,
+    clock_cos,
+    clock_sin,
+    smooth
+  };
   Kind kind = Kind::displacement;
   std::size_t index = 0;
   int derivative = 0;  ///< of an excitation, of the argument of abs or sgn
@@ -78,6 +90,23 @@ struct CanonicalFactor {
   int power = 1;
   /// abs and sgn of more than one coordinate: sum of ratio * ("v", "D(v)", a parameter's name or "1").
   std::vector<std::pair<std::string, CanonicalRatio>> argument;
+  SmoothKind function = SmoothKind::power;  ///< of a smooth one
+  CanonicalRatio exponent = {1, 1};         ///< of its `function`, where that is a power
+  std::vector<CanonicalMotionTerm> inner;   ///< what it is a function of
+};
+
+struct CanonicalMotionTerm {
+  RationalFunction coefficient;
+  std::vector<CanonicalFactor> factors;
+  std::optional<std::size_t>
+      acceleration_of;  ///< linear in this mode's acceleration, which is not among the factors
+};
+
+/// A function of the equations of motion and its series about rest, as far as it counts in a case.
+struct CanonicalSeries {
+  CanonicalFactor function;
+  int degree = 0;  ///< highest power of coordinates and velocities that counts
+  std::vector<CanonicalMotionTerm> terms;
 };
 
 /// dA_mode/dt also holds (real + i imaginary) * mean over the fast phases of the factors * exp(-i w t), by
@@ -107,18 +136,12 @@ struct CanonicalCase {
   std::vector<std::vector<CanonicalTerm>> slow_derivative;  ///< [mode]: terms of dA/dt with their orders
   std::vector<std::vector<CanonicalTerm>> harmonics;        ///< [mode]: every harmonic once, beyond A exp(i w t)
   std::vector<CanonicalQuadrature> quadratures;
+  std::vector<CanonicalSeries> series;
   std::vector<std::vector<CanonicalRatio>> observed_frequency;  ///< [mode][frequency]; empty without a frame
   std::vector<CanonicalLump> lumps;
   std::vector<CanonicalBlock> blocks;
   CanonicalCertificate certificate;
   std::vector<std::string> warnings;
-};
-
-struct CanonicalMotionTerm {
-  RationalFunction coefficient;
-  std::vector<CanonicalFactor> factors;
-  std::optional<std::size_t>
-      acceleration_of;  ///< linear in this mode's acceleration, which is not among the factors
 };
 
 struct CanonicalModel {
@@ -139,6 +162,9 @@ struct CanonicalModel {
                                           : excitation_frequencies[i - natural_frequencies.size()];
   }
 };
+
+/// Whether its equations of motion hold any.
+bool has_smooth_functions(const CanonicalModel& model);
 
 /// What is wanted of a model: all, or what code is made of, without the list of harmonics that documents show.
 enum class CanonicalContent { all, code };

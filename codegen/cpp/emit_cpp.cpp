@@ -31,11 +31,12 @@ void banner(Emitter& emitter) {
 }
 
 // What generated functions include: light headers alone, see BatchArrays.
-void include_function_headers(CodeText& code) {
+void include_function_headers(CodeText& code, const CanonicalModel& model) {
   code.line("#include <cstddef>").line("#include <numbers>").line();
   for (const char* const name : {"batch_arrays", "complex_number", "dense_solve", "dual_number",
                                  "excitation_sample", "integer_power", "lane_functions", "scalar_functions"})
     code.line(fmt::format("#include \"estimator/model/{}.hpp\"", name));
+  if (has_smooth_functions(model)) code.line("#include \"estimator/model/smooth_functions.hpp\"");
   code.line();
 }
 
@@ -124,7 +125,7 @@ GeneratedFile header(const CanonicalModel& model) {
   const std::string space = safe_namespace(model.name);
   banner(emitter);
   code.line("#pragma once").line();
-  include_function_headers(code);
+  include_function_headers(code, model);
   code.line(fmt::format("namespace secular::generated::{} {{", space)).line();
   emit_functions(emitter);
   code.line(fmt::format("}}  // namespace secular::generated::{}", space));
@@ -153,7 +154,7 @@ GeneratedFile functions_unit(const CanonicalModel& model) {
   CodeText& code = emitter.code;
   const std::string space = safe_namespace(model.name);
   code.comment(fmt::format("Functions of model {}.", model.name), "//");
-  include_function_headers(code);
+  include_function_headers(code, model);
   code.line(fmt::format("namespace secular::generated::{} {{", space)).line();
   emit_functions(emitter);
   const auto instantiate = [&](const std::string& name, const char* arguments) {

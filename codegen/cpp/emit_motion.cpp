@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "codegen/canonical/motion_derivative.hpp"
 #include "codegen/canonical/motion_parts.hpp"
@@ -44,38 +45,76 @@ std::string argument_code(const CanonicalModel& model, const CanonicalFactor& f)
   return "(" + sum + ")";
 }
 
-std::string factor_code(const CanonicalModel& model, const CanonicalFactor& f) {
-  using Kind = CanonicalFactor::Kind;
-  switch (f.kind) {
-    case Kind::displacement:
-      return repeated(fmt::format("displacement[{}]", f.index), f.power);
-    case Kind::velocity:
-      return repeated(fmt::format("velocity[{}]", f.index), f.power);
-    case Kind::excitation: {
-      static const char* const member[] = {"value", "first_derivative", "second_derivative"};
-      return repeated(fmt::format("Scalar(excitation[{}].{})", f.index, member[f.derivative]), f.power);
-    }
-    case Kind::absolute:
-      return repeated(fmt::format("absolute({})", argument_code(model, f)), f.power);
-    case Kind::sign:
-      return repeated(fmt::format("sign_of({})", argument_code(model, f)), f.power);
-    case Kind::acceleration:
-    case Kind::clock_cos:
-    case Kind::clock_sin:
-      break;
-  }
-  return {};
-}
+// Code of terms of the equations of motion. Values of smooth functions have names of their own, each once.
+class TermWriter {
+ public:
+  /// `prefix` of names of functions' values.
+  explicit TermWriter(const CanonicalModel& model, std::string prefix = "function_")
+      : model_(model), prefix_(std::move(prefix)), writer_(model.order, "Scalar") {}
 
-// coefficient * factors, without the acceleration. `multiplied`: the caller multiplies it by more.
-std::string term_code(const CanonicalModel& model, CppWriter& writer, const CanonicalMotionTerm& term,
-                      bool multiplied = false) {
-  std::string product = term.coefficient.is_one() ? "" : writer.expression(term.coefficient);
-  if (reads_as_sum(term.coefficient) && (multiplied || !term.factors.empty())) product = "(" + product + ")";
-  for (const CanonicalFactor& factor : term.factors)
-    product += (product.empty() ? "" : " * ") + factor_code(model, factor);
-  return product.empty() ? "Scalar(1.0)" : product;
-}
+  /// coefficient * factors, without the acceleration. `multiplied`: the caller multiplies it by more.
+  std::string term(const CanonicalMotionTerm& term, bool multiplied = false) {
+    std::string product = term.coefficient.is_one() ? "" : writer_.expression(term.coefficient);
+    if (reads_as_sum(term.coefficient) && (multiplied || !term.factors.empty())) product = "(" + product + ")";
+    for (const CanonicalFactor& factor : term.factors)
+      product += (product.empty() ? "" : " * ") + this->factor(factor);
+    return product.empty() ? "Scalar(1.0)" : product;
+  }
+  std::vector<std::string> used_symbols() const { return writer_.used_symbols(); }
+  /// Declarations of all that terms so far need.
+  std::vector<std::string> definitions() const {
+    std::vector<std::string> all = writer_.definitions();
+    all.insert(all.end(), functions_.begin(), functions_.end());
+    return all;
+  }
+
+ private:
+  std::string factor(const CanonicalFactor& f) {
+    using Kind = CanonicalFactor::Kind;
+    switch (f.kind) {
+      case Kind::displacement:
+        return repeated(fmt::format("displacement[{}]", f.index), f.power);
+      case Kind::velocity:
+        return repeated(fmt::format("velocity[{}]", f.index), f.power);
+      case Kind::excitation: {
+        static const char* const member[] = {"value", "first_derivative", "second_derivative"};
+        return repeated(fmt::format("Scalar(excitation[{}].{})", f.index, member[f.derivative]), f.power);
+      }
+      case Kind::absolute:
+        return repeated(fmt::format("absolute({})", argument_code(model_, f)), f.power);
+      case Kind::sign:
+        return repeated(fmt::format("sign_of({})", argument_code(model_, f)), f.power);
+      case Kind::smooth:
+        return repeated(function(f), f.power);
+      case Kind::acceleration:
+      case Kind::clock_cos:
+      case Kind::clock_sin:
+        break;
+    }
+    return {};
+  }
+
+  // The name of a function's value.
+  std::string function(const CanonicalFactor& f) {
+    std::string argument;
+    for (const CanonicalMotionTerm& inner : f.inner) add_to_sum(argument, term(inner));
+    if (f.function == SmoothKind::power)
+      argument += f.exponent.denominator == 1
+                      ? fmt::format(", {}.0", f.exponent.numerator)
+                      : fmt::format(", {}.0 / {}.0", f.exponent.numerator, f.exponent.denominator);
+    const std::string call =
+        fmt::format("{}_of({})", f.function == SmoothKind::power ? "power" : name_of(f.function), argument);
+    const auto [named, added] = names_.try_emplace(call, fmt::format("{}{}", prefix_, names_.size()));
+    if (added) functions_.push_back(fmt::format("const Scalar {} = {};", named->second, call));
+    return named->second;
+  }
+
+  const CanonicalModel& model_;
+  std::string prefix_;
+  CppWriter writer_;
+  std::map<std::string, std::string> names_;  // by what they are the value of
+  std::vector<std::string> functions_;
+};
 
 void declare(Emitter& emitter, const std::string& name, const std::string& result) {
   CodeText& code = emitter.code;
@@ -86,7 +125,7 @@ void declare(Emitter& emitter, const std::string& name, const std::string& resul
   code.line(fmt::format("    Scalar* {}) {{", result));
 }
 
-int operations(const CppWriter& writer, const std::vector<std::string>& expressions) {
+int operations(const TermWriter& writer, const std::vector<std::string>& expressions) {
   int count = 0;
   for (const std::string& definition : writer.definitions()) count += operations_in(definition);
   for (const std::string& expression : expressions) count += operations_in(expression);
@@ -94,18 +133,18 @@ int operations(const CppWriter& writer, const std::vector<std::string>& expressi
 }
 
 // Entries [equation][mode] as code, empty where nothing multiplies the acceleration.
-std::vector<std::string> mass_entries(const CanonicalModel& model, const MotionTerms& motion, CppWriter& writer) {
+std::vector<std::string> mass_entries(const CanonicalModel& model, const MotionTerms& motion, TermWriter& writer) {
   const std::size_t modes = model.coordinates.size();
   std::vector<std::string> mass(modes * modes);
   for (std::size_t k = 0; k < modes; ++k)
     for (const CanonicalMotionTerm& term : motion[k])
-      if (term.acceleration_of) add_to_sum(mass[k * modes + *term.acceleration_of], term_code(model, writer, term));
+      if (term.acceleration_of) add_to_sum(mass[k * modes + *term.acceleration_of], writer.term(term));
   return mass;
 }
 
 void mass_matrix(Emitter& emitter) {
   const CanonicalModel& model = emitter.model;
-  CppWriter writer(model.order, "Scalar");
+  TermWriter writer(model);
   const std::vector<std::string> mass = mass_entries(model, model.motion, writer);
   emitter.code.comment(
       fmt::format("Mass matrix M of the equations of motion M*acceleration + force = 0 below, state-dependent: "
@@ -113,7 +152,7 @@ void mass_matrix(Emitter& emitter) {
                   model.coordinates.size(), operations(writer, mass)));
   declare(emitter, "mass_matrix", "mass");
   emitter.unpack(writer.used_symbols());
-  emitter.definitions(writer);
+  emitter.definitions(writer.definitions());
   for (std::size_t i = 0; i < mass.size(); ++i)
     emitter.code.line(fmt::format("mass[{}] = {};", i, mass[i].empty() ? "Scalar(0.0)" : mass[i]));
   emitter.code.line("}").line();
@@ -138,7 +177,7 @@ std::string acts(std::size_t strength) {
 // Condition under which the mass matrix is not unity because of an added effect; none: it is not without any.
 std::string inertia_acts(const CanonicalModel& model) {
   const std::vector<MotionPart> parts = motion_parts(model);
-  CppWriter writer(model.order, "Scalar");
+  TermWriter writer(model);
   const MassShape own(mass_entries(model, parts.front().motion, writer), model.coordinates.size());
   std::string condition;
   for (std::size_t p = 1; own.diagonal && own.unity && p < parts.size(); ++p)
@@ -167,7 +206,7 @@ void divide(Emitter& emitter, const std::vector<std::string>& mass, const std::s
 void solve(Emitter& emitter, const std::string& right_sides, std::size_t columns) {
   const CanonicalModel& model = emitter.model;
   const std::size_t modes = model.coordinates.size();
-  CppWriter writer(model.order, "Scalar");
+  TermWriter writer(model);
   const std::vector<std::string> mass = mass_entries(model, model.motion, writer);
   const MassShape shape(mass, modes);
   if (shape.diagonal && shape.unity) return;
@@ -184,14 +223,14 @@ void solve(Emitter& emitter, const std::string& right_sides, std::size_t columns
 
 // Of one part of the equations of motion, as code by mode: what stands beside the accelerations.
 struct Forces {
-  CppWriter writer;
+  TermWriter writer;
   std::vector<std::string> of_mode;
 
-  Forces(const CanonicalModel& model, const MotionTerms& motion)
-      : writer(model.order, "Scalar"), of_mode(motion.size()) {
+  Forces(const CanonicalModel& model, const MotionTerms& motion, const std::string& prefix)
+      : writer(model, prefix), of_mode(motion.size()) {
     for (std::size_t k = 0; k < motion.size(); ++k)
       for (const CanonicalMotionTerm& term : motion[k])
-        if (!term.acceleration_of) add_to_sum(of_mode[k], term_code(model, writer, term));
+        if (!term.acceleration_of) add_to_sum(of_mode[k], writer.term(term));
   }
 };
 
@@ -199,7 +238,7 @@ struct Forces {
 void subtract_effect(Emitter& emitter, std::size_t strength, const Forces& forces) {
   emitter.code.line("if (" + acts(strength) + ") {");
   emitter.unpack(forces.writer.used_symbols());
-  emitter.definitions(forces.writer);
+  emitter.definitions(forces.writer.definitions());
   for (std::size_t k = 0; k < forces.of_mode.size(); ++k)
     if (!forces.of_mode[k].empty())
       emitter.code.line(fmt::format("acceleration[{0}] = acceleration[{0}] - ({1});", k, forces.of_mode[k]));
@@ -213,7 +252,8 @@ void accelerations(Emitter& emitter) {
   std::vector<Forces> forces;
   int count = 0;
   for (const MotionPart& part : parts) {
-    forces.emplace_back(model, part.motion);
+    forces.emplace_back(model, part.motion,
+                        part.strength ? fmt::format("function_{}_", *part.strength) : std::string("function_"));
     count += operations(forces.back().writer, forces.back().of_mode);
   }
   emitter.code.comment(
@@ -226,7 +266,7 @@ void accelerations(Emitter& emitter) {
                   emitter.parameter_list(), modes, count));
   declare(emitter, "accelerations", "acceleration");
   emitter.unpack(forces.front().writer.used_symbols());
-  emitter.definitions(forces.front().writer);
+  emitter.definitions(forces.front().writer.definitions());
   for (std::size_t k = 0; k < modes; ++k) {
     const std::string& own = forces.front().of_mode[k];
     emitter.code.line(fmt::format("acceleration[{}] = -({});", k, own.empty() ? "Scalar(0.0)" : own));
@@ -241,7 +281,7 @@ void slopes(Emitter& emitter, const std::string& name, const std::vector<MotionV
             const std::vector<std::string>& variable_names) {
   const CanonicalModel& model = emitter.model;
   const std::size_t modes = model.coordinates.size();
-  CppWriter writer(model.order, "Scalar");
+  TermWriter writer(model);
   bool accelerates = false;
   std::vector<std::string> assignments;
   for (std::size_t k = 0; k < modes; ++k)
@@ -250,8 +290,7 @@ void slopes(Emitter& emitter, const std::string& name, const std::vector<MotionV
       for (const CanonicalMotionTerm& term : model.motion[k])
         for (const WeightedMotionTerm& derived : motion_derivative(model, term, variables[x])) {
           const bool weighted = derived.weight.numerator != 1 || derived.weight.denominator != 1;
-          std::string product =
-              term_code(model, writer, derived.term, weighted || derived.term.acceleration_of.has_value());
+          std::string product = writer.term(derived.term, weighted || derived.term.acceleration_of.has_value());
           if (weighted)
             product += " * " + (derived.weight.numerator < 0 || derived.weight.denominator != 1
                                     ? "(" + ratio_code(derived.weight.numerator, derived.weight.denominator) + ")"
@@ -279,7 +318,7 @@ void slopes(Emitter& emitter, const std::string& name, const std::vector<MotionV
     emitter.code.line("accelerations(parameters, excitation, displacement, velocity, acceleration);");
   }
   emitter.unpack(writer.used_symbols());
-  emitter.definitions(writer);
+  emitter.definitions(writer.definitions());
   emitter.code.line(
       fmt::format("for (std::size_t i = 0; i < {}; ++i) slope[i] = Scalar(0.0);", modes * variables.size()));
   for (const std::string& assignment : assignments) emitter.code.line(assignment);

@@ -51,8 +51,8 @@ void Emitter::unpack(const std::vector<std::string>& names, const std::string& a
   }
 }
 
-void Emitter::definitions(const CppWriter& writer) {
-  for (const std::string& definition : writer.definitions()) code.line(definition);
+void Emitter::definitions(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) code.line(line);
 }
 
 std::string Emitter::parameter_list() const {

@@ -18,7 +18,8 @@ class Emitter {
   /// Local variables for parameters (and pi) of these names.
   void unpack(const std::vector<std::string>& names, const std::string& attribute = "");
   /// Local variables for shared powers.
-  void definitions(const CppWriter& writer);
+  void definitions(const CppWriter& writer) { definitions(writer.definitions()); }
+  void definitions(const std::vector<std::string>& lines);
   /// "[0] omega0, [1] mu1".
   std::string parameter_list() const;
 

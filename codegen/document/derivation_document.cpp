@@ -86,6 +86,7 @@ class Writer {
     }
     text({"Order of expansion: ", power(symbol("eps"), c.expand_to), c.excited ? "." : "; no excitation."});
     for (const std::string& warning : c.warnings) text({"Warning: " + warning}, Paragraph::Tone::bad);
+    functions(c);
     expansion(c);
     modulation(c);
     if (!c.observed_frequency.empty()) {
@@ -94,6 +95,17 @@ class Writer {
       lumps(c);
     }
     certificate(c.certificate);
+  }
+
+  void functions(const CanonicalCase& c) {
+    if (c.series.empty()) return;
+    section("Functions");
+    text(
+        {"By their series about rest as far as this case needs them; what is left out is of higher degree. The "
+         "equations of motion themselves keep the functions."});
+    std::vector<Equation> list;
+    for (const CanonicalSeries& series : c.series) list.push_back(series_equation(model_, series));
+    equations(std::move(list));
   }
 
   void expansion(const CanonicalCase& c) {

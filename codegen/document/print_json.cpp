@@ -70,6 +70,10 @@ std::string derivation_json(const CanonicalModel& model) {
       entry["modulation"][model.coordinates[k]] = terms_json(model, c, c.slow_derivative[k], false);
       entry["harmonics"][model.coordinates[k]] = terms_json(model, c, c.harmonics[k], true);
     }
+    for (const CanonicalSeries& series : c.series)
+      entry["functions"].push_back({{"function", factors_text(model, {series.function})},
+                                    {"degree", series.degree},
+                                    {"series", sum_text(model, series.terms)}});
     for (const CanonicalQuadrature& quadrature : c.quadratures)
       entry["quadratures"].push_back({{"mode", model.coordinates[quadrature.mode]},
                                       {"order", quadrature.order},

@@ -121,6 +121,15 @@ std::string argument_text(const CanonicalFactor& f) {
   return secular::argument_text(argument);
 }
 
+std::string function_text(const CanonicalModel& model, const CanonicalFactor& f) {
+  const std::string argument = sum_text(model, f.inner);
+  const CanonicalRatio& p = f.exponent;
+  if (f.function != SmoothKind::power) return fmt::format("{}({})", name_of(f.function), argument);
+  if (p == CanonicalRatio{1, 2}) return "sqrt(" + argument + ")";
+  return fmt::format("({})^({}{})", argument, p.numerator,
+                     p.denominator == 1 ? "" : "/" + std::to_string(p.denominator));
+}
+
 std::string factor_text(const CanonicalModel& model, const CanonicalFactor& f) {
   const auto derived = [](const std::string& inner, int derivative) {
     return derivative == 0 ? inner : (derivative == 1 ? "D(" : "D2(") + inner + ")";
@@ -153,6 +162,10 @@ std::string factor_text(const CanonicalModel& model, const CanonicalFactor& f) {
                          f.multiple == 1 ? "" : std::to_string(f.multiple) + "*",
                          model.excitation_frequencies[f.index]);
       break;
+    case CanonicalFactor::Kind::smooth:
+      base = function_text(model, f);
+      if (f.power != 1 && f.function == SmoothKind::power) base = "(" + base + ")";
+      break;
   }
   return base + (f.power == 1 ? "" : "^" + std::to_string(f.power));
 }
@@ -181,12 +194,19 @@ std::string section_text(const typeset::StatementSection& section) {
   return text;
 }
 
+std::string series_text(const CanonicalModel& model, const CanonicalSeries& series) {
+  return fmt::format("{} = {} + terms of degree {} and above", function_text(model, series.function),
+                     sum_text(model, series.terms), series.degree + 1);
+}
+
 std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
   std::string text = "\nCase " + c.name + "\n" + std::string(5 + c.name.size(), '=') + "\n";
   for (const CanonicalRelation& relation : c.relations) text += "  resonance: " + relation.text + "\n";
   text += fmt::format("  order of expansion: eps^{}{}\n", c.expand_to, c.excited ? "" : "; no excitation");
   for (const std::string& warning : c.warnings) text += "  WARNING: " + warning + "\n";
   const std::size_t modes = model.coordinates.size();
+  if (!c.series.empty()) text += "\nFunctions, by their series about rest as far as this case needs them\n";
+  for (const CanonicalSeries& series : c.series) text += "  " + series_text(model, series) + "\n";
   text += "\nExpansion\n";
   for (std::size_t k = 0; k < modes; ++k) {
     const std::string& v = model.coordinates[k];
@@ -235,6 +255,17 @@ std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
 
 }  // namespace
 
+std::string sum_text(const CanonicalModel& model, const std::vector<CanonicalMotionTerm>& terms) {
+  std::string sum;
+  for (const CanonicalMotionTerm& term : terms) {
+    std::string rest = factors_text(model, term.factors);
+    if (term.acceleration_of)
+      rest += (rest.empty() ? "" : "*") + ("D2(" + model.coordinates[*term.acceleration_of] + ")");
+    append(sum, term.coefficient, rest, model.order);
+  }
+  return sum.empty() ? "0" : sum;
+}
+
 std::string factors_text(const CanonicalModel& model, const std::vector<CanonicalFactor>& factors) {
   std::string text;
   for (const CanonicalFactor& factor : factors) text += (text.empty() ? "" : "*") + factor_text(model, factor);
@@ -276,14 +307,7 @@ std::string powers_text(const CanonicalModel& model, const CanonicalPowers& powe
 }
 
 std::string motion_text(const CanonicalModel& model, std::size_t mode) {
-  std::string sum;
-  for (const CanonicalMotionTerm& term : model.motion[mode]) {
-    std::string rest = factors_text(model, term.factors);
-    if (term.acceleration_of)
-      rest += (rest.empty() ? "" : "*") + ("D2(" + model.coordinates[*term.acceleration_of] + ")");
-    append(sum, term.coefficient, rest, model.order);
-  }
-  return "0 = " + (sum.empty() ? "0" : sum);
+  return "0 = " + sum_text(model, model.motion[mode]);
 }
 
 std::string modulation_text(const CanonicalModel& model, const CanonicalCase& c, std::size_t mode) {

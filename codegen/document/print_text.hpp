@@ -15,7 +15,9 @@ std::string modulation_text(const CanonicalModel& model, const CanonicalCase& re
 /// One block as an equation in lumps and data.
 std::string equation_text(const CanonicalModel& model, const CanonicalCase& resonance, const CanonicalBlock& block);
 
-/// Factors of a term of an equation of motion in model text: "abs(D(v))*D(v)".
+/// A sum of terms of an equation of motion in model text: "omega0^2*sin(x) + D2(x)".
+std::string sum_text(const CanonicalModel& model, const std::vector<CanonicalMotionTerm>& terms);
+/// Factors of such a term: "abs(D(v))*D(v)".
 std::string factors_text(const CanonicalModel& model, const std::vector<CanonicalFactor>& factors);
 
 /// "dA_v/dt also holds ...": a term that is left to quadrature.

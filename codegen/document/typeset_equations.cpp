@@ -173,6 +173,46 @@ void multiply_excitation(Product& product, const CanonicalModel& model, const Ca
   product.times(f.power == 1 ? derived : bracket(derived), f.power);
 }
 
+Expression expression_of(const CanonicalModel& model, const std::vector<CanonicalMotionTerm>& terms);
+
+// e to the power ratio * exponent.
+Expression exponential_of(const CanonicalRatio& ratio, Expression exponent) {
+  const Expression size = number(std::abs(ratio.numerator));
+  Product product;
+  if (ratio.denominator != 1)
+    product.times(fraction(size, number(ratio.denominator)));
+  else if (std::abs(ratio.numerator) != 1)
+    product.times(size);
+  return exponential(product.times(std::move(exponent)).expression());
+}
+
+void multiply_function(Product& product, const CanonicalModel& model, const CanonicalFactor& f) {
+  Expression inner = expression_of(model, f.inner);
+  const auto [numerator, denominator] = f.exponent;
+  switch (f.function) {
+    case SmoothKind::exponential:
+      product.times(exponential_of({f.power, 1}, std::move(inner)));
+      return;
+    case SmoothKind::power:
+      if (denominator == 1)
+        product.times(std::move(inner), numerator * f.power);
+      else if (denominator == 2)
+        product.times(root(std::move(inner)), numerator * f.power);
+      else
+        product.times(exponential_of({numerator * f.power, denominator}, function("ln", std::move(inner))),
+                      numerator < 0 ? -1 : 1);
+      return;
+    case SmoothKind::logarithm:
+      product.times(function("ln", std::move(inner)), f.power);
+      return;
+    case SmoothKind::arc_tangent:
+      product.times(function("arctan", std::move(inner)), f.power);
+      return;
+    default:
+      product.times(function(std::string(name_of(f.function)), std::move(inner)), f.power);
+  }
+}
+
 void multiply_factor(Product& product, const CanonicalModel& model, const CanonicalFactor& f) {
   switch (f.kind) {
     case CanonicalFactor::Kind::displacement:
@@ -198,7 +238,21 @@ void multiply_factor(Product& product, const CanonicalModel& model, const Canoni
       product.times(function(f.kind == CanonicalFactor::Kind::clock_cos ? "cos" : "sin", clock_angle(model, f)),
                     f.power);
       return;
+    case CanonicalFactor::Kind::smooth:
+      multiply_function(product, model, f);
+      return;
   }
+}
+
+Expression expression_of(const CanonicalModel& model, const std::vector<CanonicalMotionTerm>& terms) {
+  Sum sum(model.order);
+  for (const CanonicalMotionTerm& term : terms) {
+    Product factors;
+    for (const CanonicalFactor& factor : term.factors) multiply_factor(factors, model, factor);
+    if (term.acceleration_of) factors.times(coordinate(model, *term.acceleration_of, 2));
+    sum.add(term.coefficient, factors);
+  }
+  return sum.expression();
 }
 
 }  // namespace
@@ -212,14 +266,13 @@ Expression amplitude(const CanonicalModel& model, std::size_t mode) {
 }
 
 Equation motion_equation(const CanonicalModel& model, std::size_t mode) {
-  Sum sum(model.order);
-  for (const CanonicalMotionTerm& term : model.motion[mode]) {
-    Product factors;
-    for (const CanonicalFactor& factor : term.factors) multiply_factor(factors, model, factor);
-    if (term.acceleration_of) factors.times(coordinate(model, *term.acceleration_of, 2));
-    sum.add(term.coefficient, factors);
-  }
-  return {number(0), sum.expression()};
+  return {number(0), expression_of(model, model.motion[mode])};
+}
+
+Equation series_equation(const CanonicalModel& model, const CanonicalSeries& series) {
+  Product left;
+  multiply_factor(left, model, series.function);
+  return {left.expression(), expression_of(model, series.terms)};
 }
 
 Equation quadrature_equation(const CanonicalModel& model, const CanonicalQuadrature& quadrature) {

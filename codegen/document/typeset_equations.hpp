@@ -15,6 +15,8 @@ Equation motion_equation(const CanonicalModel& model, std::size_t mode);
 /// Omega = 2*omega0 + eps^2*sigma, from the relation's numbers.
 Equation relation_equation(const CanonicalModel& model, const CanonicalRelation& relation);
 
+/// A smooth function = its series as far as it counts.
+Equation series_equation(const CanonicalModel& model, const CanonicalSeries& series);
 /// dA/dt = ... + c <factors exp(-i omega0 t)>: a term that is left to quadrature, the mean over the fast phases.
 Equation quadrature_equation(const CanonicalModel& model, const CanonicalQuadrature& quadrature);
 

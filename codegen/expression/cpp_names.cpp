@@ -75,6 +75,16 @@ std::string mangled(const std::string& name, bool clashes) {
 
 std::string safe_identifier(const std::string& symbol) {
   static const std::set<std::string> locals = {"parameters",
+                                               "sin_of",
+                                               "cos_of",
+                                               "tan_of",
+                                               "exp_of",
+                                               "sinh_of",
+                                               "cosh_of",
+                                               "tanh_of",
+                                               "log_of",
+                                               "atan_of",
+                                               "power_of",
                                                "gradient",
                                                "lump",
                                                "denominator",
@@ -138,6 +148,16 @@ std::string safe_identifier(const std::string& symbol) {
 
 std::string safe_namespace(const std::string& name) {
   static const std::set<std::string> tables = {"model",
+                                               "sin_of",
+                                               "cos_of",
+                                               "tan_of",
+                                               "exp_of",
+                                               "sinh_of",
+                                               "cosh_of",
+                                               "tanh_of",
+                                               "log_of",
+                                               "atan_of",
+                                               "power_of",
                                                "cases",
                                                "symbols",
                                                "nominal",

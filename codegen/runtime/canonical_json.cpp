@@ -45,7 +45,15 @@ struct Writer {
   static Json packed(const CanonicalFactor& f) {
     Json argument = Json::array();
     for (const auto& [name, ratio] : f.argument) argument.push_back({name, packed(ratio)});
-    return {static_cast<int>(f.kind), f.index, f.derivative, f.multiple, f.power, argument};
+    return {static_cast<int>(f.kind),
+            f.index,
+            f.derivative,
+            f.multiple,
+            f.power,
+            argument,
+            static_cast<int>(f.function),
+            packed(f.exponent),
+            packed(f.inner)};
   }
   static Json packed(const CanonicalMotionTerm& term) {
     return {packed(term.coefficient), packed(term.factors),
@@ -128,6 +136,9 @@ class Reader {
       name = item.at(0).get<std::string>();
       read(item.at(1), ratio);
     }
+    f.function = static_cast<SmoothKind>(j.at(6).get<int>());
+    read(j.at(7), f.exponent);
+    read(j.at(8), f.inner);
   }
   void read(const Json& j, CanonicalMotionTerm& term) const {
     read(j.at(0), term.coefficient);

@@ -9,6 +9,7 @@
 #include "estimator/model/dense_solve.hpp"
 #include "estimator/model/integer_power.hpp"
 #include "estimator/model/scalar_functions.hpp"
+#include "estimator/model/smooth_functions.hpp"
 
 namespace secular {
 
@@ -33,7 +34,7 @@ void InterpretedMotion::add(TermList& list, const CanonicalMotionTerm& canonical
                             std::size_t column, double weight) const {
   Term term{list.formulas.add(canonical.coefficient), {}, mode, column, canonical.acceleration_of, weight};
   for (const CanonicalFactor& factor : canonical.factors)
-    term.factors.push_back(prepared(list.factors.emplace_back(factor)));
+    term.factors.push_back(prepared(list.factors.emplace_back(factor), list.formulas));
   list.terms.push_back(std::move(term));
 }
 
@@ -46,9 +47,13 @@ void InterpretedMotion::add_slopes(TermList& list, const std::vector<MotionVaria
           add(list, derived.term, k, x, static_cast<double>(derived.weight.numerator) / derived.weight.denominator);
 }
 
-InterpretedMotion::Factor InterpretedMotion::prepared(const CanonicalFactor& factor) const {
+InterpretedMotion::Factor InterpretedMotion::prepared(const CanonicalFactor& factor, FormulaSet& formulas) const {
   using Source = ArgumentPart::Source;
-  Factor result{&factor, {}};
+  Factor result{&factor, {}, {}};
+  for (const CanonicalMotionTerm& term : factor.inner) {
+    InnerTerm& inner = result.inner.emplace_back(InnerTerm{formulas.add(term.coefficient), {}});
+    for (const CanonicalFactor& nested : term.factors) inner.factors.push_back(prepared(nested, formulas));
+  }
   for (const auto& [name, ratio] : factor.argument) {
     ArgumentPart part{Source::one, 0, static_cast<double>(ratio.numerator) / ratio.denominator};
     for (std::size_t p = 0; p < model_.parameters.size(); ++p)
@@ -82,7 +87,41 @@ double InterpretedMotion::argument(const Factor& factor, const Point& point) {
   return sum;
 }
 
-double InterpretedMotion::value(const Factor& factor, const Point& point) {
+double InterpretedMotion::function(const Factor& factor, const Point& point,
+                                   const FormulaSet::Values& coefficient) {
+  double argument = 0;
+  for (const InnerTerm& inner : factor.inner) {
+    double product = coefficient[inner.coefficient];
+    for (const Factor& nested : inner.factors) product *= value(nested, point, coefficient);
+    argument += product;
+  }
+  const CanonicalFactor& f = *factor.canonical;
+  switch (f.function) {
+    case SmoothKind::sine:
+      return sin_of(argument);
+    case SmoothKind::cosine:
+      return cos_of(argument);
+    case SmoothKind::tangent:
+      return tan_of(argument);
+    case SmoothKind::exponential:
+      return exp_of(argument);
+    case SmoothKind::hyperbolic_sine:
+      return sinh_of(argument);
+    case SmoothKind::hyperbolic_cosine:
+      return cosh_of(argument);
+    case SmoothKind::hyperbolic_tangent:
+      return tanh_of(argument);
+    case SmoothKind::logarithm:
+      return log_of(argument);
+    case SmoothKind::arc_tangent:
+      return atan_of(argument);
+    case SmoothKind::power:
+      break;
+  }
+  return power_of(argument, static_cast<double>(f.exponent.numerator) / f.exponent.denominator);
+}
+
+double InterpretedMotion::value(const Factor& factor, const Point& point, const FormulaSet::Values& coefficient) {
   using Kind = CanonicalFactor::Kind;
   const CanonicalFactor& f = *factor.canonical;
   switch (f.kind) {
@@ -101,6 +140,8 @@ double InterpretedMotion::value(const Factor& factor, const Point& point) {
       return integer_power(absolute(argument(factor, point)), f.power);
     case Kind::sign:
       return integer_power(sign_of(argument(factor, point)), f.power);
+    case Kind::smooth:
+      return integer_power(function(factor, point, coefficient), f.power);
     case Kind::acceleration:
     case Kind::clock_cos:
     case Kind::clock_sin:
@@ -117,7 +158,7 @@ void InterpretedMotion::each_term(const Point& point, bool inertia, const Take& 
     for (const Term& term : part.list.terms) {
       if (term.acceleration_of.has_value() != inertia) continue;
       double product = coefficient[term.coefficient];
-      for (const Factor& factor : term.factors) product *= value(factor, point);
+      for (const Factor& factor : term.factors) product *= value(factor, point, coefficient);
       take(term, product);
     }
   }
@@ -147,7 +188,7 @@ void InterpretedMotion::acceleration_slopes(const TermList& list, const Point& p
   std::fill(slope, slope + modes * list.columns, 0.0);
   for (const Term& term : list.terms) {
     double product = term.weight * coefficient[term.coefficient];
-    for (const Factor& factor : term.factors) product *= value(factor, point);
+    for (const Factor& factor : term.factors) product *= value(factor, point, coefficient);
     if (term.acceleration_of) product *= accelerations[*term.acceleration_of];
     slope[term.mode * list.columns + term.column] -= product;
   }

@@ -38,9 +38,15 @@ class InterpretedMotion {
     std::size_t index = 0;
     double weight = 1;
   };
+  struct InnerTerm;
   struct Factor {
     const CanonicalFactor* canonical = nullptr;
     std::vector<ArgumentPart> argument;  ///< of abs and sgn: empty for one coordinate
+    std::vector<InnerTerm> inner = {};   ///< of smooth functions
+  };
+  struct InnerTerm {
+    std::size_t coefficient = 0;  ///< in its TermList's formulas
+    std::vector<Factor> factors;
   };
   struct Term {
     std::size_t coefficient = 0;  ///< in its TermList's formulas
@@ -64,9 +70,10 @@ class InterpretedMotion {
   void add(TermList& list, const CanonicalMotionTerm& canonical, std::size_t mode, std::size_t column,
            double weight) const;
   void add_slopes(TermList& list, const std::vector<MotionVariable>& variables) const;
-  Factor prepared(const CanonicalFactor& factor) const;
+  Factor prepared(const CanonicalFactor& factor, FormulaSet& formulas) const;
   static double argument(const Factor& factor, const Point& point);
-  static double value(const Factor& factor, const Point& point);
+  static double value(const Factor& factor, const Point& point, const FormulaSet::Values& coefficient);
+  static double function(const Factor& factor, const Point& point, const FormulaSet::Values& coefficient);
   /// take(term, its value) for the terms with an acceleration, or without one, of the parts that act.
   template <class Take>
   void each_term(const Point& point, bool inertia, const Take& take) const;

@@ -28,7 +28,8 @@ constexpr const char* needed_headers[] = {"estimator/model/compiled_model.hpp",
                                           "estimator/model/integer_power.hpp",
                                           "estimator/model/lane_functions.hpp",
                                           "estimator/model/lanes.hpp",
-                                          "estimator/model/scalar_functions.hpp"};
+                                          "estimator/model/scalar_functions.hpp",
+                                          "estimator/model/smooth_functions.hpp"};
 
 struct Headers {
   fs::path folder;

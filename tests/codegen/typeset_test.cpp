@@ -233,6 +233,28 @@ class TypesetDocument : public testing::TestWithParam<std::string> {
   }
 };
 
+TEST(Typeset, FunctionsOfCoordinatesAreWrittenAndSoAreTheirSeries) {
+  const CanonicalModel model =
+      canonical_model(read_model_text("schema = 1\nname = \"m\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = "
+                                      "\"w\"\nequation = \"D2(x) + w^2*sin(x) = "
+                                      "-g*(exp(b*x) - 1)^2/(1 + x^2) - g*x^2*(1 + x)^(-2/3)*sqrt(1 + x) - "
+                                      "g*x*log(1 + x)*atan(x)^2\"\n[[case]]\nname = "
+                                      "\"c\"\nordering = \"degree\"\nexpand_to = 3\nexcitation = false\n",
+                                      "m"));
+  const std::string latex = derivation_latex(model), html = derivation_html(model), text = derivation_text(model);
+  EXPECT_EQ(latex_imbalance(latex), "");
+  EXPECT_EQ(xml_imbalance(html.substr(html.find("<html"))), "");
+  for (const char* const part :
+       {"w^{2} \\sin(x)", "\\mathrm{e}^{2 b x}", "\\mathrm{e}^{\\frac{2}{3} \\ln(1 + x)}", "\\sqrt{1 + x}",
+        "\\ln(1 + x) \\arctan^{2}(x)", "{1 + x^{2}}", "\\sin(x) &= x - \\frac{1}{6} x^{3}"})
+    EXPECT_NE(latex.find(part), std::string::npos) << part << " in " << latex.substr(0, 3000);
+  EXPECT_EQ(latex.find("}^{2 b x}^"), std::string::npos);
+  for (const char* const part :
+       {"w^2*sin(x)", "exp(b*x)^2", "(1 + x)^(-2/3)", "  sin(x) = x - 1/6*x^3 + terms of degree 4 and above\n",
+        "  exp(b*x) = 1 + b*x + b^2/2*x^2 + b^3/6*x^3 + b^4/24*x^4 + terms of degree 5 and above\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text.substr(0, 1500);
+}
+
 TEST_P(TypesetDocument, LatexIsBalancedAndComplete) {
   const std::string text = derivation_latex(model());
   EXPECT_EQ(latex_imbalance(text), "");

@@ -33,10 +33,8 @@ TEST(ModelErrors, FormulaMistakesNameLineAndColumn) {
   expect_complaint("D2(x) + w^2*x = -g*x^3)", "", "line 6, column 23: ')' without its '('");
   expect_complaint("D2(x) + w^2*x = -g*(x^3", "", "'(' is never closed");
   expect_complaint("D2(x) + w^2*x = -2g*x", "", "a symbol directly after the number 2");
-  expect_complaint("D2(x) + w^2*x = -g*tan(x)", "", "unknown function tan");
-  expect_complaint("D2(x) + w^2*x = -g*sin(x)", "", "sin of the coordinate 'x'");
+  expect_complaint("D2(x) + w^2*x = -g*cot(x)", "", "unknown function cot");
   expect_complaint("D2(x) + w^2*x = -g*x^w", "", "symbol 'w' in an exponent");
-  expect_complaint("D2(x) + w^2*x = -g/x", "", "a coordinate or excitation in a denominator");
   expect_complaint("D2(x) + w^2*x = -g*x/0", "", "division by zero");
   expect_complaint("D2(x) + w^2*x", "", "is not an equation");
   expect_complaint("D2(x) + w^2*x = -g*x^3 = 0", "", "a second '='");
@@ -85,7 +83,7 @@ TEST(ModelErrors, OrdersAndResonances) {
   expect_complaint("D2(x) + w^2*x = -g*x^3", "order = { g = 0 }\nexcitation = false",
                    "not part of the linear oscillator");
   expect_complaint("D2(x) + 2*w^2*x = -g*x^3", "order = { g = 1 }\nexcitation = false",
-                   "not part of the linear oscillator");
+                   "its linear part at order eps^0 is 2*w^2*x, not w^2*x");
   expect_complaint("D2(x) + w^2*x = -g*x^3", "order = { h = 1 }", "no coefficient symbol");
   expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)", "order = { g = 1 }\nrelations = [\"Omega = 1.5*w + eps*s\"]",
                    "not an integer");

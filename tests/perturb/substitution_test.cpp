@@ -49,10 +49,10 @@ TEST(Substitution, TheResidualIsWhatAnIncompleteMotionLeaves) {
   EXPECT_TRUE(left_at(residual, 0).empty());
   EXPECT_TRUE(left_at(residual, 1).empty());
   const PrimeFieldComplex mu = random_value("mu", draw);
-  const std::map<TrueTimePowers, PrimeFieldComplex> expected{{{1, 1, 0, 0, 0}, -(mu * mu)},
-                                                             {{-1, 0, 1, 0, 0}, -(mu * mu)}};
+  const std::map<TrueTimePowers, PrimeFieldComplex> expected{{{1, 1, 0, 0, 0, 0}, -(mu * mu)},
+                                                             {{-1, 0, 1, 0, 0, 0}, -(mu * mu)}};
   EXPECT_EQ(left_at(residual, 2), expected);
-  EXPECT_EQ(to_string({1, 1, 0, 0, 0}, model), "A_x*exp(i*(w)*t)");
+  EXPECT_EQ(to_string({1, 1, 0, 0, 0, 0}, model), "A_x*exp(i*(w)*t)");
 }
 
 TEST(Substitution, LagrangesEquationsAreThoseOfNewton) {

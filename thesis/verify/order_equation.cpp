@@ -52,6 +52,8 @@ Series factor_series(const PrintedFormula& formula, const Factor& factor, int or
       // Nonsmooth terms enter at the highest order: their leading value is all that counts.
       series[0] = formula.absolute(coordinate(formula, index, factor.derivative, order)[0]);
       return series;
+    case Factor::Kind::smooth:
+      break;  // expanded by ordered_equations()
   }
   return series;
 }
