@@ -99,6 +99,32 @@ MatrixXd turn_of(const Eigen::Ref<const VectorXd>& coefficients, const VectorXd&
   return turn;
 }
 
+// Columns of unit length as orthonormal columns q times a triangle r.
+struct Orthonormal {
+  MatrixXd q, r;
+};
+
+// Cholesky's factor of the moments, twice (Y. Yamamoto, Y. Nakatsukasa, Y. Yanagisawa, T. Fukaya, Electron. Trans.
+// Numer. Anal. 44, 2015, 306): as orthogonal as Householder's reflections as long as the columns are independent to
+// the square root of rounding, and in products of matrices alone. Columns that are not are reflected.
+Orthonormal orthonormal(const MatrixXd& columns) {
+  constexpr double independent = 1e-6;
+  Orthonormal result{columns, MatrixXd::Identity(columns.cols(), columns.cols())};
+  for (int pass = 0; pass < 2; ++pass) {
+    MatrixXd moments = MatrixXd::Zero(columns.cols(), columns.cols());
+    moments.selfadjointView<Eigen::Lower>().rankUpdate(result.q.transpose());
+    const Eigen::LLT<MatrixXd> factor(moments);
+    if (factor.info() != Eigen::Success || !(factor.matrixLLT().diagonal().minCoeff() > independent)) {
+      const Eigen::HouseholderQR<MatrixXd> qr(columns);
+      return {qr.householderQ() * MatrixXd::Identity(columns.rows(), columns.cols()),
+              qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>()};
+    }
+    factor.matrixU().solveInPlace<Eigen::OnTheRight>(result.q);
+    result.r = factor.matrixU() * result.r;
+  }
+  return result;
+}
+
 // Variable projection with Kaufman's Jacobian J. Its rows (samples x signals) are never formed: all of them are
 // combinations of the projected derivatives, whose moments give J^T J = H and J^T r = g. The fit sees the shorter
 // problem of the same H, g and |r|: with H = V S^2 V^T the rows S V^T, the residual S^-1 V^T g, and one entry more
@@ -124,14 +150,15 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
     }
     const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
     design = design * scale.asDiagonal();
-    const Eigen::HouseholderQR<MatrixXd> qr(design);
-    const MatrixXd orthogonal = qr.householderQ() * MatrixXd::Identity(rows, design.cols());
-    const MatrixXd shadow = orthogonal.transpose() * data;
-    const MatrixXd coefficients =
-        scale.asDiagonal() * qr.matrixQR().topRows(design.cols()).triangularView<Eigen::Upper>().solve(shadow);
-    const MatrixXd left = data - orthogonal * shadow;
-    derivatives -= orthogonal * (orthogonal.transpose() * derivatives);
-    const MatrixXd moments = derivatives.transpose() * derivatives, slopes = derivatives.transpose() * left;
+    const Orthonormal basis = orthonormal(design);
+    const MatrixXd shadow = basis.q.transpose() * data;
+    const MatrixXd coefficients = scale.asDiagonal() * basis.r.triangularView<Eigen::Upper>().solve(shadow);
+    const MatrixXd left = data - basis.q * shadow;
+    derivatives -= basis.q * (basis.q.transpose() * derivatives);
+    MatrixXd moments = MatrixXd::Zero(2 * n, 2 * n);
+    moments.selfadjointView<Eigen::Lower>().rankUpdate(derivatives.transpose());
+    moments.triangularView<Eigen::StrictlyUpper>() = moments.transpose();
+    const MatrixXd slopes = derivatives.transpose() * left;
     MatrixXd hessian = MatrixXd::Zero(2 * n, 2 * n);
     VectorXd gradient = VectorXd::Zero(2 * n);
     for (Index s = 0; s < signals; ++s) {
