@@ -42,7 +42,7 @@ struct BandOfSurvey {
       survey.form = whole.form;
       survey.unit = whole.unit;
     } else {
-      records = &own.emplace(survey, ShortDecays::left_out);
+      records = &own.emplace(survey, of_whole);
     }
   }
   BandOfSurvey(const BandOfSurvey&) = delete;

@@ -93,10 +93,11 @@ TEST(CombinationTones, AmplitudesFromRecordToRecord) {
   DecayingMotion first = still(80, 1, 1), tone = still(160, 2, 1e-2), vague = tone;
   vague.growth_sd = 0.6;
   DecayingMotion mode = tone;
-  for (const double blow : {0.5, 0.8, 1.0, 1.7, 2.0}) {
-    first.amplitudes.push_back(blow);
-    vague.amplitudes.push_back(0.01 * blow * blow * (1 + 0.01 * blow));
-    mode.amplitudes.push_back(0.01 * blow * (1 + 0.01 * blow));
+  const double blows[] = {0.5, 0.8, 1.0, 1.7, 2.0}, scatter[] = {1.01, 0.99, 1.0, 0.98, 1.02};
+  for (std::size_t r = 0; r < 5; ++r) {
+    first.amplitudes.push_back(blows[r]);
+    vague.amplitudes.push_back(0.01 * blows[r] * blows[r] * scatter[r]);
+    mode.amplitudes.push_back(0.01 * blows[r] * scatter[r]);
   }
   std::vector<CombinationMatch> found = combinations_of({first, vague});
   ASSERT_EQ(found.size(), 1u);

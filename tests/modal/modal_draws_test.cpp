@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole_fit.hpp"
@@ -59,17 +60,21 @@ DrawnTest drawn(std::uint64_t seed) {
   return {kind, m};
 }
 
-std::vector<SurveyMode> surveyed(const CampaignData& data, std::uint64_t seed) {
+// With what it dropped.
+ModalSurvey surveyed(const CampaignData& data, std::uint64_t seed) {
   const fs::path folder = testing_support::process_folder() / ("secular_draws_" + std::to_string(seed));
   fs::remove_all(folder);
   write_campaign(data.campaign, data.samples, folder);
-  std::vector<SurveyMode> modes;
+  ModalSurvey survey;
   try {
-    modes = modal_survey(folder, {}).modes;
-  } catch (const NumericalFailure&) {  // nothing stands out of the noise
+    survey = modal_survey(folder, {});
+  } catch (const NumericalFailure& failure) {  // nothing stands out of the noise
+    survey.warnings.emplace_back(failure.what());
+  } catch (const InputError& error) {  // nothing is left of a record
+    survey.warnings.emplace_back(error.what());
   }
   fs::remove_all(folder);
-  return modes;
+  return survey;
 }
 
 // What maximum likelihood over all samples says of the true poles, begun at them: in white noise its standard
@@ -109,7 +114,8 @@ Score score_of(const DrawnTest& test, std::uint64_t seed) {
   Score score;
   score.draws = 1;
   score.modes = static_cast<int>(m.poles.size());
-  for (const SurveyMode& mode : surveyed(data, seed)) {
+  const ModalSurvey survey = surveyed(data, seed);
+  for (const SurveyMode& mode : survey.modes) {
     std::size_t nearest = m.poles.size();
     double least = 1;
     for (std::size_t r = 0; r < m.poles.size(); ++r) {
@@ -153,7 +159,15 @@ Score score_of(const DrawnTest& test, std::uint64_t seed) {
       score.with_missed = 1;
       if (std::getenv("SECULAR_MODAL_TELL"))
         std::cout << "  draw " << seed << " (" << test.kind << "): missed "
-                  << natural_frequency(m.poles[r]) / turn_of_one_hertz << " Hz\n";
+                  << natural_frequency(m.poles[r]) / turn_of_one_hertz << " Hz, damping "
+                  << damping_ratio(m.poles[r]) << ", channels " << m.channels << '\n';
+      if (std::getenv("SECULAR_MODAL_TELL")) {
+        for (const DroppedPole& pole : survey.dropped)
+          std::cout << "    dropped " << natural_frequency(pole.pole) / turn_of_one_hertz << " Hz: " << pole.reason
+                    << '\n';
+        for (const SurveyTone& tone : survey.tones) std::cout << "    tone " << tone.reason() << '\n';
+        for (const std::string& warning : survey.warnings) std::cout << "    " << warning << '\n';
+      }
     }
   return score;
 }
@@ -173,7 +187,8 @@ TEST(SlowModalDraws, IntervalsHoldAndModesAreThoseOfTheStructure) {
   const std::uint64_t draws = more != nullptr ? static_cast<std::uint64_t>(std::atoi(more)) : 108;
   std::map<std::string, Score> by_kind;
   Score all;
-  for (std::uint64_t seed = 0; seed < draws; ++seed) {
+  const char* begin = std::getenv("SECULAR_MODAL_FIRST");
+  for (std::uint64_t seed = begin ? static_cast<std::uint64_t>(std::atoi(begin)) : 0; seed < draws; ++seed) {
     const DrawnTest test = drawn(seed);
     const Score score = score_of(test, seed);
     by_kind[test.kind] += score;
