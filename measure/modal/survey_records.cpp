@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "measure/data/clipping.hpp"
 #include "measure/data/file_pattern.hpp"
+#include "measure/data/resolution.hpp"
 #include "measure/disturbances/treatment.hpp"
 #include "measure/modal/decimation.hpp"
 #include "measure/signal/transform_length.hpp"
@@ -41,6 +45,19 @@ void choose_channels(ModalSurvey& survey) {
 
 // Rows without which a decay is too short.
 constexpr Index least_rows = 48;
+
+std::vector<Index> clipped_rows(const MatrixXd& responses) {
+  std::vector<Index> rows;
+  for (Index c = 0; c < responses.cols(); ++c) {
+    const std::span<const double> samples(responses.col(c).data(), static_cast<std::size_t>(responses.rows()));
+    if (!responses.col(c).allFinite()) continue;
+    const std::vector<double> sorted = in_order(samples);
+    for (const std::size_t at : find_clipping(samples, sorted, grid_of_sorted(sorted)).at)
+      rows.push_back(static_cast<Index>(at));
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
 
 // Rows in which the structure is on its own.
 struct FreeRows {
@@ -132,6 +149,13 @@ struct SurveyRecords::Part {
   MatrixXd responses;
   Eigen::VectorXd force;
   double start_s = 0, rate = 0;
+  std::vector<Index> clipped;  // rows in which a response is at the end of its range, rising
+
+  // The first row behind the clipped ones from `begin` up to `end`; what is clipped is no sum of decaying motions.
+  Index behind_clipped(Index begin, Index end) const {
+    const auto last = std::lower_bound(clipped.begin(), clipped.end(), end);
+    return last == clipped.begin() ? begin : std::max(begin, *std::prev(last) + 1);
+  }
 };
 
 struct SurveyRecords::ReadParts {
@@ -220,6 +244,7 @@ const SurveyRecords::Part& SurveyRecords::part(std::size_t r) {
   for (std::size_t c = 0; c < survey_.channels.size(); ++c)
     read->responses.col(static_cast<Index>(c)) = column(survey_.channels[c]);
   if (force_) read->force = column(*force_);
+  read->clipped = clipped_rows(read->responses);
   read_->keep(r, read);
   part_ = std::move(read);
   part_record_ = r;
@@ -231,7 +256,8 @@ std::optional<SurveyDecay> SurveyRecords::cut_decay(std::size_t r) {
   const RecordEntry& entry = survey_.campaign.records[r];
   const Part& whole = part(r);
   const Index factor = decimation_factor(whole.rate, survey_.options.highest_hz);
-  const FreeRows free = free_rows(whole.responses, entry.kind == RecordKind::impact, whole.rate);
+  FreeRows free = free_rows(whole.responses, entry.kind == RecordKind::impact, whole.rate);
+  if (!free.to_the_end) free.begin = whole.behind_clipped(free.begin, free.end);
   const auto is_too_short = [&]() -> std::optional<SurveyDecay> {
     if (too_short_ == ShortDecays::left_out) return std::nullopt;
     throw InputError((survey_.campaign.folder / entry.file).string(), "",
@@ -314,7 +340,7 @@ void SurveyRecords::keep_swing(const Part& part, const std::string& group, Index
       first = std::min(first, i);
       last = i;
     }
-  const Index left = begin + last + 1 + (last - first + 1);
+  const Index left = part.behind_clipped(begin + last + 1 + (last - first + 1), end);
   if (end - left < least_rows) return;
   const Index factor = decimation_factor(part.rate, survey_.options.highest_hz);
   const MatrixXd swing = part.responses.middleRows(left, end - left);
