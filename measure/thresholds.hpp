@@ -15,6 +15,7 @@ struct MeasureThresholds {
   double disturbance_false_alarm = 1e-3;
   double weak_partner = 0.01;
   double spikes_not_told = 0.01;
+  double combination_by_chance = 0.05;
   double offset_sd = 4;
   double dwell_drift_sd = 4;
   // Tuned.

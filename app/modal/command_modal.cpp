@@ -13,6 +13,7 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
+#include "app/shared/progress_line.hpp"
 #include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
 #include "measure/modal/modal_survey.hpp"
@@ -57,6 +58,21 @@ void check(const ModalArguments& options) {
   not_negative(options.response_decay, "--exponential-window");
 }
 
+void print_amplitude(const AmplitudeDependence& a, const std::string& unit) {
+  fmt::print("       {} windows from {} to {} {}: ", a.windows, report::format_number(a.smallest_amplitude, 3),
+             report::format_number(a.largest_amplitude, 3), unit);
+  if (a.frequency_law.degree == 0 && a.damping_law.degree == 0) {
+    fmt::print("no change with amplitude\n");
+    return;
+  }
+  const auto slope = [](const AmplitudeLaw& law, const StraightLine& line) {
+    if (law.degree == 0) return std::string("no change");
+    return report::format_uncertain(line.slope, line.slope_sd) + " Hz" + (law.degree == 2 ? " (curved)" : "");
+  };
+  fmt::print("{} and {} of damping factor per {}\n", slope(a.frequency_law, a.frequency_hz),
+             slope(a.damping_law, a.damping_factor_hz), unit);
+}
+
 void print_summary(const ModalSurvey& survey, const ModalArguments& options) {
   const report::PlainNumbers plain(prints_for_programs());
   fmt::print("{} mode{} of {} channels\n", survey.modes.size(), survey.modes.size() == 1 ? "" : "s",
@@ -69,16 +85,13 @@ void print_summary(const ModalSurvey& survey, const ModalArguments& options) {
     if (mode.trend() == MotionTrend::grows) fmt::print("  GROWS");
     if (mode.mass) fmt::print("  modal mass {} kg", report::format_uncertain(*mode.mass, mode.mass_sd));
     fmt::print("\n");
-    if (mode.amplitude)
-      fmt::print(
-          "       {} windows from {} to {} {}: {} Hz and {} Hz of damping factor per {}\n", mode.amplitude->windows,
-          report::format_number(mode.amplitude->smallest_amplitude, 3),
-          report::format_number(mode.amplitude->largest_amplitude, 3), survey.unit,
-          report::format_uncertain(mode.amplitude->frequency_hz.slope, mode.amplitude->frequency_hz.slope_sd),
-          report::format_uncertain(mode.amplitude->damping_factor_hz.slope,
-                                   mode.amplitude->damping_factor_hz.slope_sd),
-          survey.unit);
+    if (mode.amplitude) print_amplitude(*mode.amplitude, survey.unit);
   }
+  if (!survey.tones.empty()) fmt::print("harmonics and combination tones, no modes:\n");
+  for (const SurveyTone& tone : survey.tones)
+    fmt::print("       {:>16} Hz  {}\n",
+               report::format_uncertain(tone.found.natural_frequency_hz, tone.found.natural_frequency_sd_hz),
+               tone.name());
   if (!survey.dropped.empty()) {
     std::string list;
     for (const DroppedPole& dropped : survey.dropped)
@@ -105,6 +118,8 @@ int run(ModalArguments& options, const CLI::App& command) {
   parse_driving_points(options);
   check(options);
   if (command.count("--exponential-window")) options.survey.response_decay = options.response_decay;
+  ProgressLine line("parts of the survey (about)");
+  options.survey.progress = [&line](std::size_t done, std::size_t total) { line(done, total); };
   const ModalSurvey survey = modal_survey(options.campaign, options.survey);
   const std::string json = modal_json(survey);
   const std::string html = modal_report(survey, command_line_of(command));

@@ -54,6 +54,14 @@ Json line_json(const StraightLine& line) {
   return entry;
 }
 
+Json law_json(const AmplitudeLaw& law) {
+  static const char* const names[] = {"constant", "straight line", "parabola"};
+  return {{"law", names[law.degree]},
+          {"coefficients", {law.coefficients[0], law.coefficients[1], law.coefficients[2]}},
+          {"intercept_sd", law.intercept_sd},
+          {"probabilities", {law.probability[0], law.probability[1], law.probability[2]}}};
+}
+
 Json mode_json(const ModalSurvey& survey, std::size_t r) {
   const SurveyMode& mode = survey.modes[r];
   Json entry = {{"name", fmt::format("v{}", r + 1)},
@@ -88,6 +96,8 @@ Json mode_json(const ModalSurvey& survey, std::size_t r) {
                                      {"largest_amplitude", mode.amplitude->largest_amplitude},
                                      {"damped_natural_frequency_hz", line_json(mode.amplitude->frequency_hz)},
                                      {"damping_factor_hz", line_json(mode.amplitude->damping_factor_hz)},
+                                     {"frequency_law", law_json(mode.amplitude->frequency_law)},
+                                     {"damping_law", law_json(mode.amplitude->damping_law)},
                                      {"zero_amplitude",
                                       {{"natural_frequency_hz", mode.amplitude->natural_frequency_hz},
                                        {"natural_frequency_sd_hz", mode.amplitude->natural_frequency_sd_hz},
@@ -106,6 +116,23 @@ Json mode_json(const ModalSurvey& survey, std::size_t r) {
   return entry;
 }
 
+Json tone_json(const SurveyTone& tone) {
+  Json entry = {{"natural_frequency_hz", tone.found.natural_frequency_hz},
+                {"natural_frequency_sd_hz", tone.found.natural_frequency_sd_hz},
+                {"damping_ratio", tone.found.damping_ratio},
+                {"damping_ratio_sd", tone.found.damping_ratio_sd},
+                {"is", tone.name()}};
+  entry["of"] = Json::array();
+  for (std::size_t i = 0; i < 2; ++i)
+    if (tone.times[i] != 0)
+      entry["of"].push_back({{"mode", fmt::format("v{}", tone.modes[i] + 1)}, {"times", tone.times[i]}});
+  entry["expected_frequency_hz"] = {tone.expected_hz.low, tone.expected_hz.high};
+  entry["expected_rate_per_s"] = {tone.expected_rate.low, tone.expected_rate.high};
+  entry["chance_of_a_mode"] = tone.chance;
+  entry["reason"] = tone.reason();
+  return entry;
+}
+
 }  // namespace
 
 std::string modal_json(const ModalSurvey& survey) {
@@ -117,6 +144,8 @@ std::string modal_json(const ModalSurvey& survey) {
   result["unit"] = survey.unit;
   result["modes"] = Json::array();
   for (std::size_t r = 0; r < survey.modes.size(); ++r) result["modes"].push_back(mode_json(survey, r));
+  result["combination_tones"] = Json::array();
+  for (const SurveyTone& tone : survey.tones) result["combination_tones"].push_back(tone_json(tone));
   result["dropped_poles"] = Json::array();
   for (const DroppedPole& dropped : survey.dropped)
     result["dropped_poles"].push_back({{"natural_frequency_hz", natural_frequency(dropped.pole) * to_hz},

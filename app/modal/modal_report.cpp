@@ -105,13 +105,14 @@ Figure amplitude_figure(const ModalSurvey& survey, std::size_t r) {
     damping.y.push_back(window.pole.real() * to_hz);
     damping.y_error.push_back(2 * window.growth_sd * to_hz);
   }
-  frequency_line.name = "straight line to zero amplitude";
+  frequency_line.name = "law with the most evidence";
   const AmplitudeDependence& line = *survey.modes[r].amplitude;
-  for (const double x : {0.0, line.largest_amplitude}) {
+  for (int i = 0; i <= 20; ++i) {
+    const double x = line.largest_amplitude * i / 20;
     frequency_line.x.push_back(x);
-    frequency_line.y.push_back(line.frequency_hz.intercept + x * line.frequency_hz.slope);
+    frequency_line.y.push_back(line.frequency_law.at(x));
     damping_line.x.push_back(x);
-    damping_line.y.push_back(line.damping_factor_hz.intercept + x * line.damping_factor_hz.slope);
+    damping_line.y.push_back(line.damping_law.at(x));
   }
   figure.panels.push_back({"", {"Damped natural frequency", "Hz", false, {}}, {frequency, frequency_line}});
   figure.panels.push_back({"", {"Damping factor", "Hz", false, {}}, {damping, damping_line}});
@@ -162,6 +163,22 @@ Figure response_figure(const ModalSurvey& survey, const SurveyReference& referen
   return figure;
 }
 
+void add_tones(report::HtmlReport& page, const ModalSurvey& survey) {
+  if (survey.tones.empty()) return;
+  Table table;
+  table.caption = "Harmonics and combination tones: of a vibration that is not linear, no modes";
+  table.columns = {{"Frequency", Column::Kind::number, "Hz"},
+                   {"Damping ratio", Column::Kind::number, "%"},
+                   {"Is", Column::Kind::text, ""},
+                   {"Why", Column::Kind::text, ""}};
+  for (const SurveyTone& tone : survey.tones)
+    table.rows.push_back(
+        {report::format_uncertain(tone.found.natural_frequency_hz, tone.found.natural_frequency_sd_hz),
+         report::format_uncertain(100 * tone.found.damping_ratio, 100 * tone.found.damping_ratio_sd), tone.name(),
+         tone.reason()});
+  page.table(table);
+}
+
 void add_modes(report::HtmlReport& page, const ModalSurvey& survey) {
   Table table;
   table.columns = {{"Mode", Column::Kind::text, ""},
@@ -182,6 +199,7 @@ void add_modes(report::HtmlReport& page, const ModalSurvey& survey) {
                           std::to_string(mode.diagram.orders), mode.from});
   }
   page.table(table);
+  add_tones(page, survey);
   if (survey.dropped.empty()) return;
   Table dropped;
   dropped.caption = "Stable poles that are no modes";

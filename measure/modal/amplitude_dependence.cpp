@@ -74,22 +74,24 @@ AmplitudeDependence amplitude_dependence(const std::vector<ModeWindow>& windows,
   result.smallest_amplitude = amplitude.minCoeff();
   result.largest_amplitude = amplitude.maxCoeff();
   const Banded excess = covariances(used, unit_variance, &SharedSamples::share, 1);
-  result.frequency_hz =
-      straight_line(amplitude, frequency, covariances(used, omega_variance, &SharedSamples::omega, to_hz * to_hz),
-                    excess, cluster);
-  result.damping_factor_hz =
-      straight_line(amplitude, damping, covariances(used, growth_variance, &SharedSamples::growth, to_hz * to_hz),
-                    excess, cluster);
-  const std::complex<double> pole(result.damping_factor_hz.intercept, result.frequency_hz.intercept);
-  const double modulus = std::abs(pole), real_sd = result.damping_factor_hz.intercept_sd,
-               imaginary_sd = result.frequency_hz.intercept_sd;
+  const Banded of_omega = covariances(used, omega_variance, &SharedSamples::omega, to_hz * to_hz),
+               of_growth = covariances(used, growth_variance, &SharedSamples::growth, to_hz * to_hz);
+  result.frequency_hz = straight_line(amplitude, frequency, of_omega, excess, cluster);
+  result.damping_factor_hz = straight_line(amplitude, damping, of_growth, excess, cluster);
+  // A resonance moves with amplitude by about its half bandwidth, both ways.
+  const double half_bandwidth_hz = damping.cwiseAbs().mean();
+  result.frequency_law = amplitude_law(amplitude, frequency, of_omega, excess, cluster, half_bandwidth_hz);
+  result.damping_law = amplitude_law(amplitude, damping, of_growth, excess, cluster, half_bandwidth_hz);
+  const std::complex<double> pole(result.damping_law.at(0), result.frequency_law.at(0));
+  const double modulus = std::abs(pole), real_sd = result.damping_law.intercept_sd,
+               imaginary_sd = result.frequency_law.intercept_sd;
   result.natural_frequency_hz = natural_frequency(pole);
   result.damping_ratio = damping_ratio(pole);
   result.natural_frequency_sd_hz = std::hypot(pole.real() * real_sd, pole.imag() * imaginary_sd) / modulus;
   result.damping_ratio_sd = std::abs(pole.imag()) / (modulus * modulus * modulus) *
                             std::hypot(pole.imag() * real_sd, pole.real() * imaginary_sd);
   result.degrees_of_freedom =
-      std::min(result.frequency_hz.degrees_of_freedom, result.damping_factor_hz.degrees_of_freedom);
+      std::min(result.frequency_law.degrees_of_freedom, result.damping_law.degrees_of_freedom);
   return result;
 }
 

@@ -14,6 +14,7 @@ struct AmplitudeDependence {
   std::size_t windows = 0;
   double smallest_amplitude = 0, largest_amplitude = 0;
   StraightLine frequency_hz, damping_factor_hz;
+  AmplitudeLaw frequency_law, damping_law;  ///< of the same two, Hz; values at zero amplitude are theirs
   double natural_frequency_hz = 0, natural_frequency_sd_hz = 0;  ///< at zero amplitude, Eq. (2.8)
   double damping_ratio = 0, damping_ratio_sd = 0;                ///< at zero amplitude, Eq. (2.8)
   double degrees_of_freedom = 0;                                 ///< of these two, for Student's t

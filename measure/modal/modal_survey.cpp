@@ -20,6 +20,7 @@
 #include "measure/modal/survey_bands.hpp"
 #include "measure/modal/survey_poles.hpp"
 #include "measure/modal/survey_records.hpp"
+#include "measure/modal/survey_tones.hpp"
 #include "measure/signal/transform_length.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/fourier_transform.hpp"
@@ -315,6 +316,13 @@ std::string nothing_stands(const ModalSurvey& survey) {
   return "no pole of the stabilisation diagram stands out of the noise: " + list;
 }
 
+void warn_of_modes(ModalSurvey& survey) {
+  for (std::size_t r = 0; r < survey.modes.size(); ++r)
+    for (const std::string& remark : survey.modes[r].remarks)
+      survey.warnings.push_back(
+          fmt::format("mode {} ({:.4g} Hz){}", r + 1, survey.modes[r].natural_frequency_hz, remark));
+}
+
 void warn_of_whirling(ModalSurvey& survey) {
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     const SurveyMode& mode = survey.modes[r];
@@ -416,6 +424,8 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
                            toml_of(survey) + ": " + nothing_stands(survey) +
                                "; another --band, a larger --order or a part with less noise (--from, --to) may "
                                "show more");
+  set_tones_aside(survey);
+  warn_of_modes(survey);
   MatrixXcd shapes(static_cast<Index>(survey.channels.size()), static_cast<Index>(survey.modes.size()));
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     shapes.col(static_cast<Index>(r)) = survey.modes[r].shape.mean;
@@ -430,6 +440,7 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
   warn_of_growth(survey);
   warn_of_whirling(survey);
   give_masses(survey);
+  if (options.progress) options.progress(100, 100);
   for (std::string& warning : records.faults()) survey.warnings.push_back(std::move(warning));
   return survey;
 }

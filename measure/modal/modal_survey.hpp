@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct ModalSurveyOptions {
   std::optional<double> response_decay;                ///< exponential window of impacts, 1/s; chosen without it
   std::map<std::string, DrivingPoint> driving_points;  ///< by group
   std::vector<double> modal_masses;                    ///< kg, by mode, where the records do not tell them
+  std::function<void(std::size_t, std::size_t)> progress{};  ///< percent done, of 100
 };
 
 /// Impacts at one point: the records of one group.
@@ -70,8 +72,9 @@ struct SurveyMode {
   double window_s = 0;  ///< length of its windows; 0: it has none
   std::optional<AmplitudeDependence> amplitude;
   std::vector<MassEstimate> masses;
-  std::optional<double> mass;  ///< kg
-  double mass_sd = 0;          ///< kg; zero where it was given or cannot be determined
+  std::optional<double> mass;        ///< kg
+  double mass_sd = 0;                ///< kg; zero where it was given or cannot be determined
+  std::vector<std::string> remarks;  ///< to follow the mode's name in a warning
 
   /// Undetermined also where free motions do not tell the pole.
   MotionTrend trend() const;
@@ -86,6 +89,18 @@ struct DroppedPole {
   std::string reason;
 };
 
+/// A motion that modes make together: a harmonic of one or a combination of two.
+struct SurveyTone {
+  SurveyMode found;          ///< as it was found among the modes
+  std::size_t modes[2];      ///< of which modes, by their place among the survey's modes
+  int times[2];              ///< how often each; the second is zero of a harmonic, negative of a difference
+  Interval expected_hz;      ///< where these modes put it, from small to large amplitude
+  Interval expected_rate;    ///< 1/s: the rate at which it decays
+  double chance = 0;         ///< that a mode is there by chance
+  std::string name() const;  ///< "2 v1", "v2 - v1"
+  std::string reason() const;
+};
+
 /// Modal parameters of a campaign of impacts or free decays.
 struct ModalSurvey {
   Campaign campaign;
@@ -95,6 +110,7 @@ struct ModalSurvey {
   std::string unit;  ///< of the responses
   StabilisationDiagram diagram;
   std::vector<SurveyMode> modes;            ///< by frequency
+  std::vector<SurveyTone> tones;            ///< by frequency
   std::vector<DroppedPole> dropped;         ///< by frequency
   Eigen::MatrixXd mac;                      ///< of the modes' shapes
   std::vector<SurveyReference> references;  ///< empty without measured forces

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "numerics/nonlinear_fit.hpp"
 
@@ -64,13 +66,49 @@ void check(const Separable& problem, const VectorXcd& poles) {
       throw std::invalid_argument("pole fit: a pole grows out of all numbers");
 }
 
+// Columns of unit length as orthonormal columns q times a triangle r.
+struct Orthonormal {
+  MatrixXd q, r;
+};
+
+// Cholesky's factor of the moments, twice (Y. Yamamoto, Y. Nakatsukasa, Y. Yanagisawa, T. Fukaya, Electron. Trans.
+// Numer. Anal. 44, 2015, 306): as orthogonal as Householder's reflections as long as the columns are independent to
+// the square root of rounding, and in products of matrices alone. Nothing for columns that are not.
+std::optional<Orthonormal> by_cholesky(const MatrixXd& columns) {
+  constexpr double independent = 1e-6;
+  Orthonormal result{columns, MatrixXd::Identity(columns.cols(), columns.cols())};
+  for (int pass = 0; pass < 2; ++pass) {
+    MatrixXd moments = MatrixXd::Zero(columns.cols(), columns.cols());
+    moments.selfadjointView<Eigen::Lower>().rankUpdate(result.q.transpose());
+    const Eigen::LLT<MatrixXd> factor(moments);
+    if (factor.info() != Eigen::Success || !(factor.matrixLLT().diagonal().minCoeff() > independent))
+      return std::nullopt;
+    factor.matrixU().solveInPlace<Eigen::OnTheRight>(result.q);
+    result.r = factor.matrixU() * result.r;
+  }
+  return result;
+}
+
+Orthonormal orthonormal(const MatrixXd& columns) {
+  if (std::optional<Orthonormal> found = by_cholesky(columns)) return std::move(*found);
+  const Eigen::HouseholderQR<MatrixXd> qr(columns);
+  return {qr.householderQ() * MatrixXd::Identity(columns.rows(), columns.cols()),
+          qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>()};
+}
+
+// Least squares; of columns that depend on each other some are left out.
+MatrixXd solved(const MatrixXd& columns, const MatrixXd& data) {
+  if (const std::optional<Orthonormal> basis = by_cholesky(columns))
+    return basis->r.triangularView<Eigen::Upper>().solve(basis->q.transpose() * data);
+  return columns.colPivHouseholderQr().solve(data);
+}
+
 PoleFit residues_of(const Separable& problem, const VectorXcd& poles) {
   check(problem, poles);
   MatrixXd design = design_of(problem, poles);
   const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
   design = design * scale.asDiagonal();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(design);
-  const MatrixXd coefficients = qr.solve(problem.data);
+  const MatrixXd coefficients = solved(design, problem.data);
   const MatrixXd left = problem.data - design * coefficients;
   PoleFit fit;
   fit.ending = SolverEnding::converged;
@@ -124,14 +162,15 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
     }
     const VectorXd scale = design.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
     design = design * scale.asDiagonal();
-    const Eigen::HouseholderQR<MatrixXd> qr(design);
-    const MatrixXd orthogonal = qr.householderQ() * MatrixXd::Identity(rows, design.cols());
-    const MatrixXd shadow = orthogonal.transpose() * data;
-    const MatrixXd coefficients =
-        scale.asDiagonal() * qr.matrixQR().topRows(design.cols()).triangularView<Eigen::Upper>().solve(shadow);
-    const MatrixXd left = data - orthogonal * shadow;
-    derivatives -= orthogonal * (orthogonal.transpose() * derivatives);
-    const MatrixXd moments = derivatives.transpose() * derivatives, slopes = derivatives.transpose() * left;
+    const Orthonormal basis = orthonormal(design);
+    const MatrixXd shadow = basis.q.transpose() * data;
+    const MatrixXd coefficients = scale.asDiagonal() * basis.r.triangularView<Eigen::Upper>().solve(shadow);
+    const MatrixXd left = data - basis.q * shadow;
+    derivatives -= basis.q * (basis.q.transpose() * derivatives);
+    MatrixXd moments = MatrixXd::Zero(2 * n, 2 * n);
+    moments.selfadjointView<Eigen::Lower>().rankUpdate(derivatives.transpose());
+    moments.triangularView<Eigen::StrictlyUpper>() = moments.transpose();
+    const MatrixXd slopes = derivatives.transpose() * left;
     MatrixXd hessian = MatrixXd::Zero(2 * n, 2 * n);
     VectorXd gradient = VectorXd::Zero(2 * n);
     for (Index s = 0; s < signals; ++s) {

@@ -46,10 +46,12 @@ VectorXd left_by(const MatrixXd& samples, const PoleFit& fit) {
 
 class Selection {
  public:
-  Selection(const FreeMotions& motions, const std::vector<Complex>& candidates, double false_alarm)
+  Selection(const FreeMotions& motions, const std::vector<Complex>& candidates, double false_alarm,
+            const std::function<void(double)>& progress)
       : motions_(motions),
         candidates_(candidates),
         false_alarm_(false_alarm),
+        progress_(progress),
         support_(candidates.size()),
         most_(static_cast<std::size_t>(motions.samples.rows() / 8)) {  // four unknowns a pole and channel, twice
     for (std::size_t c = 0; c < candidates.size(); ++c) support_[c].pole = candidates[c];
@@ -73,12 +75,23 @@ class Selection {
       PoleSupport& s = support_[chosen_[i]];
       const auto row = static_cast<Index>(i);
       s.reason = no_resonance(row);
-      if (s.reason.empty()) s = {true, "", fit_.poles(row), fit_.growth_sd(row), fit_.omega_sd(row)};
+      if (s.reason.empty()) s = {true, "", fit_.poles(row), fit_.growth_sd(row), fit_.omega_sd(row), {}};
     }
+    if (!chosen_.empty()) find_amplitudes();
     return support_;
   }
 
  private:
+  // Of the samples as they are: each record is whitened by mixing of its own.
+  void find_amplitudes() {
+    const PoleFit fit = fit_residues(motions_.samples, motions_.sample_rate_hz, fit_.poles);
+    for (std::size_t i = 0; i < chosen_.size(); ++i)
+      for (Index record = 0; record < static_cast<Index>(motions_.groups.size()); ++record)
+        support_[chosen_[i]].amplitudes.push_back(
+            2 *
+            fit.residues.row(static_cast<Index>(i)).segment(record * motions_.channels, motions_.channels).norm());
+  }
+
   // The noise is what the poles leave, each carried to where it explains most.
   void whiten() {
     const double rate = motions_.sample_rate_hz, largest = motions_.samples.cwiseAbs().maxCoeff();
@@ -130,6 +143,7 @@ class Selection {
 
   void add_poles() {
     while (!open_.empty() && chosen_.size() < most_) {
+      if (progress_) progress_(1 - static_cast<double>(open_.size()) / static_cast<double>(candidates_.size()));
       const auto with = [&](std::size_t candidate) {
         VectorXcd start(static_cast<Index>(chosen_.size()) + 1);
         start << fit_.poles, candidates_[candidate];
@@ -250,6 +264,7 @@ class Selection {
   const FreeMotions& motions_;
   const std::vector<Complex>& candidates_;
   double false_alarm_;
+  const std::function<void(double)>& progress_;
   std::vector<PoleSupport> support_;
   std::vector<std::size_t> open_;  // candidates not decided on
   std::size_t most_;               // poles at a time
@@ -262,12 +277,12 @@ class Selection {
 }  // namespace
 
 std::vector<PoleSupport> pole_support(const FreeMotions& motions, const std::vector<Complex>& candidates,
-                                      double false_alarm) {
+                                      double false_alarm, const std::function<void(double)>& progress) {
   if (motions.channels < 1 ||
       motions.samples.cols() != motions.channels * static_cast<Index>(motions.groups.size()))
     throw std::invalid_argument("pole_support: channels and groups do not make up the signals");
   if (candidates.empty()) return {};
-  return Selection(motions, candidates, false_alarm).run();
+  return Selection(motions, candidates, false_alarm, progress).run();
 }
 
 }  // namespace secular

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct PoleSupport {
       pole;              ///< rad/s, maximum likelihood in the noise as it was measured; as given where it falls
   double growth_sd = 0;  ///< of the real part, 1/s
   double omega_sd = 0;   ///< of the imaginary part, rad/s
+  std::vector<double> amplitudes;  ///< by record, at its first row: root of the sum of squares over channels
 };
 
 /// Which of the candidates are motion and not noise. The noise is what all of them together leave, and its colour
@@ -32,9 +34,9 @@ struct PoleSupport {
 /// every pole that the records can tell apart, and must stay below `false_alarm`. The poles that stand are left out
 /// again in turn, since of two that lie close the first may have served for both. Where records repeat each other
 /// (one group), the one that shows a pole most is left out, and the others must still show it. A pole whose error
-/// bar is as wide as its resonance says nothing.
+/// bar is as wide as its resonance says nothing. `progress` hears which share of the candidates is decided on.
 std::vector<PoleSupport> pole_support(const FreeMotions& motions,
                                       const std::vector<std::complex<double>>& candidates,
-                                      double false_alarm = 0.01);
+                                      double false_alarm = 0.01, const std::function<void(double)>& progress = {});
 
 }  // namespace secular

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "estimator/regression/linear_fit.hpp"
 #include "numerics/confidence.hpp"
@@ -127,6 +128,82 @@ StraightLine straight_line(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref
     if (sd > 0) line.curvature_p = two_sided_p_value(curved.coefficients(2) / sd, curved.degrees_of_freedom);
   }
   return line;
+}
+
+namespace {
+
+// What the fit with all powers says of the value at zero where only the first `degree` powers are there, Eqs. (M1)
+// to (M3).
+struct LawPosterior {
+  double log_evidence = 0, variance = 0;
+  VectorXd coefficients;  // of the powers of x over its unit
+};
+
+LawPosterior posterior_of(const Regression& full, Index degree, double change_sd) {
+  const Index powers = full.coefficients.size() - 1;
+  const VectorXd seen = full.coefficients.tail(powers);
+  const MatrixXd errors = full.covariance.bottomRightCorner(powers, powers);
+  VectorXd before = VectorXd::Zero(powers);
+  before.head(degree).setConstant(change_sd * change_sd);
+  const MatrixXd expected = errors + MatrixXd(before.asDiagonal());
+  const Eigen::LDLT<MatrixXd> solver(expected);
+  const double square = seen.dot(solver.solve(seen)), freedom = full.degrees_of_freedom;
+  LawPosterior result;
+  result.log_evidence = -0.5 * solver.vectorD().array().max(1e-300).log().sum();
+  result.log_evidence -= std::isinf(freedom)
+                             ? 0.5 * square
+                             : 0.5 * (freedom + static_cast<double>(powers)) * std::log1p(square / freedom);
+  const MatrixXd keep = before.asDiagonal() * solver.solve(MatrixXd::Identity(powers, powers));
+  const VectorXd mean = keep * seen;
+  const MatrixXd left = MatrixXd(before.asDiagonal()) - keep * MatrixXd(before.asDiagonal());
+  const VectorXd along = errors.ldlt().solve(VectorXd(full.covariance.col(0).tail(powers)));
+  result.coefficients.resize(powers + 1);
+  result.coefficients(0) = full.coefficients(0) + along.dot(mean - seen);
+  result.coefficients.tail(powers) = mean;
+  result.variance = std::max(0.0, full.covariance(0, 0) - along.dot(errors * along) + along.dot(left * along));
+  return result;
+}
+
+}  // namespace
+
+double AmplitudeLaw::others_variance(double value) const {
+  double sum = 0;
+  for (int d = 0; d < 3; ++d)
+    if (d != degree) sum += probability[d] * (variance[d] + (at_zero[d] - value) * (at_zero[d] - value));
+  return sum;
+}
+
+AmplitudeLaw amplitude_law(const Eigen::Ref<const VectorXd>& x, const Eigen::Ref<const VectorXd>& y,
+                           const Banded& own, const Banded& excess, std::span<const int> cluster,
+                           double change_sd) {
+  const auto points = static_cast<std::size_t>(x.size());
+  if (x.size() != y.size() || own.size() != points || excess.size() != points || points < 3)
+    throw std::invalid_argument("amplitude_law: fewer than three points, or sizes that differ");
+  const double unit = std::max(x.cwiseAbs().maxCoeff(), 1e-300);
+  const Index highest = points >= 6 ? 2 : 1;
+  const Regression full = regress(powers(x, unit, highest), y, own, excess, cluster);
+  AmplitudeLaw law;
+  law.degrees_of_freedom = full.degrees_of_freedom;
+  law.excess = full.excess > 0 || full.clustered;
+  std::vector<LawPosterior> laws;
+  double best = -std::numeric_limits<double>::infinity(), sum = 0;
+  for (Index degree = 0; degree <= highest; ++degree) {
+    laws.push_back(posterior_of(full, degree, change_sd));
+    if (laws.back().log_evidence > best) law.degree = static_cast<int>(degree);
+    best = std::max(best, laws.back().log_evidence);
+  }
+  for (std::size_t d = 0; d < laws.size(); ++d) sum += law.probability[d] = std::exp(laws[d].log_evidence - best);
+  for (std::size_t d = 0; d < laws.size(); ++d) {
+    law.probability[d] /= sum;
+    law.at_zero[d] = laws[d].coefficients(0);
+    law.variance[d] = laws[d].variance;
+  }
+  const LawPosterior& chosen = laws[static_cast<std::size_t>(law.degree)];
+  for (Index k = 0; k <= law.degree; ++k)
+    law.coefficients[k] = chosen.coefficients(k) / std::pow(unit, static_cast<double>(k));
+  law.intercept_sd = std::sqrt(law.probability[law.degree] * chosen.variance +  // Eq. (M4)
+                               law.others_variance(law.coefficients[0]));
+  return law;
 }
 
 }  // namespace secular

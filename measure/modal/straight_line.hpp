@@ -29,4 +29,25 @@ using Banded = std::vector<std::vector<double>>;
 StraightLine straight_line(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& y,
                            const Banded& own, const Banded& excess, std::span<const int> cluster);
 
+/// A value against amplitude: constant, straight line or parabola, whichever the points give the most evidence.
+struct AmplitudeLaw {
+  int degree = 0;                      ///< 0, 1, 2
+  double coefficients[3] = {0, 0, 0};  ///< of the powers of x
+  /// Of the value at zero: its own, and that the other laws may be true, which put it elsewhere.
+  double intercept_sd = 0;
+  double probability[3] = {1, 0, 0};  ///< of each degree
+  double degrees_of_freedom = 0;      ///< of the standard deviation; infinite: the points' own errors
+  bool excess = false;                ///< whether the points scatter by more than their own errors
+  double at(double x) const { return coefficients[0] + x * (coefficients[1] + x * coefficients[2]); }
+  /// Mean square of how far the other laws put the value at zero from `value`, weighted by their probability.
+  double others_variance(double value) const;
+
+  double at_zero[3] = {0, 0, 0}, variance[3] = {0, 0, 0};  ///< by degree: value at zero and its own variance
+};
+
+/// By Eqs. (M1) to (M4) of docs/inference.md. Points as for straight_line(), five or fewer by a line at most.
+/// `change_sd`: standard deviation, before the points are seen, of what each power adds up to the largest x.
+AmplitudeLaw amplitude_law(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& y,
+                           const Banded& own, const Banded& excess, std::span<const int> cluster, double change_sd);
+
 }  // namespace secular

@@ -42,7 +42,7 @@ struct BandOfSurvey {
       survey.form = whole.form;
       survey.unit = whole.unit;
     } else {
-      records = &own.emplace(survey, ShortDecays::left_out);
+      records = &own.emplace(survey, of_whole);
     }
   }
   BandOfSurvey(const BandOfSurvey&) = delete;
@@ -77,6 +77,11 @@ void survey_several(ModalSurvey& survey, SurveyRecords& records, const std::vect
   std::vector<StabilisationDiagram*> diagrams;
   for (const SurveyBand& band : bands) {
     BandOfSurvey& part = parts.emplace_back(survey, records, band);
+    const std::size_t before = parts.size() - 1, count = bands.size();
+    if (survey.options.progress)
+      part.survey.options.progress = [&survey, before, count](std::size_t done, std::size_t total) {
+        survey.options.progress((before * total + done) / count, total);
+      };
     const std::size_t short_ones = records.decays().size() - part.records->decays().size();
     if (short_ones > 0)
       survey.warnings.push_back(fmt::format("{} of {} records are too short for modes below {:.4g} Hz", short_ones,
@@ -89,7 +94,7 @@ void survey_several(ModalSurvey& survey, SurveyRecords& records, const std::vect
   keep_strongest(diagrams, survey.options.modes);
   for (BandOfSurvey& part : parts) {
     if (part.records->decays().empty()) continue;
-    follow_decays(part.survey, *part.records, survey.modes.size(), WindowMisfit::warned);
+    follow_decays(part.survey, *part.records, WindowMisfit::warned);
     take(survey, part.survey);
   }
 }

@@ -144,11 +144,44 @@ void add_others(const ModalSurvey& survey, double rate, std::vector<Complex>& po
 bool follows(const ModalSurvey& survey, std::size_t r, const AmplitudeDependence& line) {
   const Complex pole = survey.modes[r].diagram.support.pole;
   const double bandwidth_hz = 2 * std::abs(pole.real()) * to_hz;
-  if (!(std::max(line.frequency_hz.intercept_sd, line.damping_factor_hz.intercept_sd) < bandwidth_hz)) return false;
-  const Complex found(line.damping_factor_hz.intercept / to_hz, line.frequency_hz.intercept / to_hz);
+  if (!(std::max(line.frequency_law.intercept_sd, line.damping_law.intercept_sd) < bandwidth_hz)) return false;
+  const Complex found(line.damping_law.at(0) / to_hz, line.frequency_law.at(0) / to_hz);
   return std::none_of(survey.modes.begin(), survey.modes.end(), [&](const SurveyMode& other) {
     return std::abs(found - other.diagram.support.pole) < std::abs(found - pole);
   });
+}
+
+// The values of a mode whose windows show no change with amplitude are those of the one fit over all samples, which
+// is the better estimate; that one of the other laws may be true is in its error bar, Eq. (M4).
+void take_fit_of_all(SurveyMode& mode, const AmplitudeLaw& frequency, const AmplitudeLaw& damping) {
+  const PoleSupport& support = mode.diagram.support;
+  const double omega = natural_frequency(support.pole), along = support.pole.imag() / omega,
+               across = support.pole.real() / omega;
+  const auto sd_of = [](const AmplitudeLaw& law, double value, double sd) {
+    return std::sqrt(law.probability[0] * sd * sd + law.others_variance(value * to_hz) / (to_hz * to_hz));
+  };
+  const double omega_sd = sd_of(frequency, support.pole.imag(), support.omega_sd),
+               growth_sd = sd_of(damping, support.pole.real(), support.growth_sd);
+  mode.pole = support.pole;
+  mode.natural_frequency_hz = omega * to_hz;
+  mode.damping_ratio = damping_ratio(support.pole);
+  mode.natural_frequency_sd_hz = std::hypot(along * omega_sd, across * growth_sd) * to_hz;
+  mode.damping_ratio_sd = along * std::hypot(along * growth_sd, across * omega_sd) / omega;
+  mode.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  mode.from = "maximum likelihood over the free motions; windows show no change with amplitude";
+}
+
+void take_values(SurveyMode& mode, const AmplitudeDependence& dependence) {
+  const AmplitudeLaw &frequency = dependence.frequency_law, &damping = dependence.damping_law;
+  const bool linear = frequency.degree == 0 && damping.degree == 0 && !frequency.excess && !damping.excess;
+  if (linear && mode.diagram.support.stands) return take_fit_of_all(mode, frequency, damping);
+  mode.natural_frequency_hz = dependence.natural_frequency_hz;
+  mode.natural_frequency_sd_hz = dependence.natural_frequency_sd_hz;
+  mode.damping_ratio = dependence.damping_ratio;
+  mode.damping_ratio_sd = dependence.damping_ratio_sd;
+  mode.pole = {damping.at(0) / to_hz, frequency.at(0) / to_hz};
+  mode.degrees_of_freedom = dependence.degrees_of_freedom;
+  mode.from = "regression over windows to zero amplitude";
 }
 
 // Of the survey's modes, beside all poles, which begin with theirs.
@@ -213,9 +246,8 @@ void store_spectrum(ModalSurvey& survey, SurveyRecords& records) {
   spectrum.store(survey);
 }
 
-void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slower, WindowMisfit misfit) {
+void follow_decays(ModalSurvey& survey, SurveyRecords& records, WindowMisfit misfit) {
   const bool alone = survey.references.empty();
-  const auto number = [&](std::size_t r) { return slower + r + 1; };
   if (alone)
     for (const StableMode& stable : survey.diagram.modes) survey.modes.push_back(begin_mode(stable));
   if (survey.modes.empty()) return;
@@ -232,11 +264,10 @@ void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slow
     const AmplitudeDependence dependence =
         amplitude_dependence(survey.windows, static_cast<Index>(r), survey.options.fit_below);
     if (dependence.windows < 3) {
-      survey.warnings.push_back(
-          fmt::format("mode {} ({:.4g} Hz) is seen in {} windows of {:.3g} s only: its values are those of one fit "
-                      "to the beginning "
-                      "of the records, whatever the amplitude; a narrower --band or another --window may help",
-                      number(r), mode.natural_frequency_hz, dependence.windows, options.length_s));
+      mode.remarks.push_back(fmt::format(
+          " is seen in {} windows of {:.3g} s only: its values are those of one fit to the beginning of "
+          "the records, whatever the amplitude; a narrower --band or another --window may help",
+          dependence.windows, options.length_s));
       continue;
     }
     if (!alone) {
@@ -244,32 +275,23 @@ void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slow
       continue;
     }
     if (!follows(survey, r, dependence)) {
-      survey.warnings.push_back(fmt::format(
-          "mode {} ({:.4g} Hz): windows of {:.3g} s do not follow it, its values are those of one fit to the "
-          "beginning of the records, whatever the amplitude; a narrower --band or another --window may help",
-          number(r), mode.natural_frequency_hz, options.length_s));
+      mode.remarks.push_back(
+          fmt::format(": windows of {:.3g} s do not follow it, its values are those of one fit to the beginning of "
+                      "the records, whatever the amplitude; a narrower --band or another --window may help",
+                      options.length_s));
       continue;
     }
     mode.amplitude = dependence;
     mode.shape = mean_shape(survey.windows, static_cast<Index>(r));
-    mode.natural_frequency_hz = dependence.natural_frequency_hz;
-    mode.natural_frequency_sd_hz = dependence.natural_frequency_sd_hz;
-    mode.damping_ratio = dependence.damping_ratio;
-    mode.damping_ratio_sd = dependence.damping_ratio_sd;
-    mode.pole = {dependence.damping_factor_hz.intercept / to_hz, dependence.frequency_hz.intercept / to_hz};
-    mode.degrees_of_freedom = dependence.degrees_of_freedom;
-    mode.from = "regression over windows to zero amplitude";
+    take_values(mode, dependence);
     if (!mode.frequency_interval_hz())
-      survey.warnings.push_back(fmt::format(
-          "mode {} ({:.4g} Hz): {} windows scatter by more than their noise, and too few determine by how "
-          "much: its values "
+      mode.remarks.push_back(fmt::format(
+          ": {} windows scatter by more than their noise, and too few determine by how much: its values "
           "have no interval; a shorter --window or more records would give one",
-          number(r), mode.natural_frequency_hz, dependence.windows));
+          dependence.windows));
     if (dependence.frequency_hz.curvature_p < 0.05 || dependence.damping_factor_hz.curvature_p < 0.05)
-      survey.warnings.push_back(fmt::format(
-          "mode {} ({:.4g} Hz): {} against amplitude is no straight line (p = {:.1g}); use --fit-below to "
-          "keep to small amplitudes",
-          number(r), mode.natural_frequency_hz,
+      mode.remarks.push_back(fmt::format(
+          ": {} against amplitude is no straight line (p = {:.1g}); use --fit-below to keep to small amplitudes",
           dependence.frequency_hz.curvature_p < 0.05 ? "frequency" : "damping",
           std::min(dependence.frequency_hz.curvature_p, dependence.damping_factor_hz.curvature_p)));
   }

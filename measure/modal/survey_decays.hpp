@@ -16,10 +16,10 @@ void find_poles(ModalSurvey& survey, const SurveyRecords& records, const std::ve
 enum class WindowMisfit { refused, warned };
 
 /// Frequency and damping of the survey's modes against amplitude, window by window. Where there were no impacts the
-/// modes are those of the diagram, begun here. `slower`: so many modes come before, in warnings. Throws InputError
-/// for a --window that does not fit and is refused.
-void follow_decays(ModalSurvey& survey, SurveyRecords& records, std::size_t slower = 0,
-                   WindowMisfit misfit = WindowMisfit::refused);
+/// modes are those of the diagram, begun here. What is wrong with a mode becomes its remark. Throws InputError for
+/// a
+/// --window that does not fit and is refused.
+void follow_decays(ModalSurvey& survey, SurveyRecords& records, WindowMisfit misfit = WindowMisfit::refused);
 
 /// Fills the survey's spectrum: of its decays, at the rate of its band.
 void store_spectrum(ModalSurvey& survey, SurveyRecords& records);

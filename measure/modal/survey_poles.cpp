@@ -43,7 +43,9 @@ void keep_supported(ModalSurvey& survey, const FreeMotions& motions) {
   std::vector<std::complex<double>> candidates;
   for (const std::vector<StableMode>* list : lists)
     for (const StableMode& mode : *list) candidates.push_back(mode.pole);
-  std::vector<PoleSupport> support = pole_support(motions, candidates);
+  std::vector<PoleSupport> support = pole_support(motions, candidates, 0.01, [&survey](double share) {
+    if (survey.options.progress) survey.options.progress(static_cast<std::size_t>(100 * share), 100);
+  });
   std::size_t next = 0;
   for (std::vector<StableMode>* list : lists) {
     for (StableMode& mode : *list) {

@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <span>
+#include <utility>
 
 #include "input/input_error.hpp"
+#include "measure/data/clipping.hpp"
 #include "measure/data/file_pattern.hpp"
+#include "measure/data/resolution.hpp"
 #include "measure/disturbances/treatment.hpp"
 #include "measure/modal/decimation.hpp"
 #include "measure/signal/transform_length.hpp"
@@ -39,6 +45,19 @@ void choose_channels(ModalSurvey& survey) {
 
 // Rows without which a decay is too short.
 constexpr Index least_rows = 48;
+
+std::vector<Index> clipped_rows(const MatrixXd& responses) {
+  std::vector<Index> rows;
+  for (Index c = 0; c < responses.cols(); ++c) {
+    const std::span<const double> samples(responses.col(c).data(), static_cast<std::size_t>(responses.rows()));
+    if (!responses.col(c).allFinite()) continue;
+    const std::vector<double> sorted = in_order(samples);
+    for (const std::size_t at : find_clipping(samples, sorted, grid_of_sorted(sorted)).at)
+      rows.push_back(static_cast<Index>(at));
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
 
 // Rows in which the structure is on its own.
 struct FreeRows {
@@ -74,15 +93,42 @@ bool goes_on(const Eigen::Ref<const Eigen::VectorXd>& motion, double level) {
   return swings_beyond(motion, level) >= 4 && (steady || rises);
 }
 
+// Rows of those 64ths of a record that hold half the energy of the fullest or more, and of their neighbours: where
+// the motion is at its largest, though late noise alone may reach beyond it.
+std::vector<bool> full_rows(const MatrixXd& motion) {
+  const Index rows = motion.rows(), block = std::max<Index>(1, rows / 64), blocks = (rows + block - 1) / block;
+  Eigen::VectorXd energy(blocks);
+  for (Index b = 0; b < blocks; ++b)
+    energy(b) = motion.middleRows(b * block, std::min(block, rows - b * block)).squaredNorm();
+  const double half = 0.5 * energy.maxCoeff();
+  std::vector<bool> full(static_cast<std::size_t>(rows), false);
+  for (Index b = 0; b < blocks; ++b)
+    if (energy(b) >= half)
+      for (Index i = std::max<Index>(0, (b - 1) * block); i < std::min(rows, (b + 2) * block); ++i)
+        full[static_cast<std::size_t>(i)] = true;
+  return full;
+}
+
 // After the last row within 1 % of the largest excursion, and after a blow the time that the hammer stays. Where
 // the motion grew up to that row and does not swing as often behind it, that growth is what the record shows.
 FreeRows free_rows(const MatrixXd& responses, bool struck, double rate) {
   Index row = 0, channel = 0;
   const Eigen::RowVectorXd rest = responses.bottomRows(responses.rows() / 4).colwise().mean();
   const MatrixXd motion = responses.rowwise() - rest;
-  const double largest = motion.cwiseAbs().maxCoeff(&row, &channel);
+  const std::vector<bool> full = full_rows(motion);
+  const auto is_full = [&](Index i) { return full[static_cast<std::size_t>(i)]; };
+  double largest = -1;
+  for (Index i = 0; i < motion.rows(); ++i) {
+    Index at = 0;
+    const double excursion = is_full(i) ? motion.row(i).cwiseAbs().maxCoeff(&at) : -1;
+    if (excursion > largest) {
+      largest = excursion;
+      row = i;
+      channel = at;
+    }
+  }
   for (Index i = row; i < responses.rows(); ++i)
-    if (std::abs(motion(i, channel)) >= 0.99 * largest) row = i;
+    if (is_full(i) && std::abs(motion(i, channel)) >= 0.99 * largest) row = i;
   const Eigen::VectorXd seen = motion.col(channel);
   // A tenth of the largest excursion: a decay with 5 % damping swings 14 times from one to the other.
   const double level = 0.1 * largest;
@@ -103,30 +149,65 @@ struct SurveyRecords::Part {
   MatrixXd responses;
   Eigen::VectorXd force;
   double start_s = 0, rate = 0;
+  std::vector<Index> clipped;  // rows in which a response is at the end of its range, rising
+
+  // The first row behind the clipped ones from `begin` up to `end`; what is clipped is no sum of decaying motions.
+  Index behind_clipped(Index begin, Index end) const {
+    const auto last = std::lower_bound(clipped.begin(), clipped.end(), end);
+    return last == clipped.begin() ? begin : std::max(begin, *std::prev(last) + 1);
+  }
+};
+
+struct SurveyRecords::ReadParts {
+  static constexpr std::size_t most_bytes = std::size_t{128} << 20;
+  std::map<std::size_t, std::shared_ptr<const Part>> parts;
+  std::size_t bytes = 0;
+
+  void keep(std::size_t record, const std::shared_ptr<const Part>& part) {
+    const auto more = static_cast<std::size_t>(part->responses.size() + part->force.size()) * sizeof(double);
+    if (bytes + more > most_bytes) return;
+    bytes += more;
+    parts[record] = part;
+  }
 };
 
 SurveyRecords::~SurveyRecords() = default;
 
-SurveyRecords::SurveyRecords(ModalSurvey& survey, ShortDecays too_short)
-    : survey_(survey), too_short_(too_short), reader_(survey.campaign, {}, treatments_of(survey.campaign)) {
-  choose_channels(survey);
-  const Campaign& campaign = survey.campaign;
+SurveyRecords::SurveyRecords(ModalSurvey& survey)
+    : survey_(survey),
+      too_short_(ShortDecays::refused),
+      reader_(survey.campaign, {}, treatments_of(survey.campaign)),
+      read_(std::make_shared<ReadParts>()) {
+  find_records();
+}
+
+SurveyRecords::SurveyRecords(ModalSurvey& survey, const SurveyRecords& read)
+    : survey_(survey),
+      too_short_(ShortDecays::left_out),
+      reader_(survey.campaign, {}, treatments_of(survey.campaign)),
+      read_(read.read_) {
+  find_records();
+}
+
+void SurveyRecords::find_records() {
+  choose_channels(survey_);
+  const Campaign& campaign = survey_.campaign;
   for (std::size_t c = 0; c < campaign.channels.size() && !force_; ++c)
     if (campaign.channels[c].role == ChannelRole::excitation && campaign.channels[c].quantity == Quantity::force)
       force_ = c;
   std::vector<std::size_t> struck;
   for (std::size_t r = 0; r < campaign.records.size(); ++r) {
     const RecordEntry& entry = campaign.records[r];
-    if (!matches_record(survey.options.records, entry.file)) continue;
+    if (!matches_record(survey_.options.records, entry.file)) continue;
     if (entry.kind == RecordKind::impact && force_) {
       struck.push_back(r);
     } else if (entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact) {
       keep_decay(r);
     }
   }
-  if (struck.empty() && decays_.empty() && too_short == ShortDecays::refused)
+  if (struck.empty() && decays_.empty() && too_short_ == ShortDecays::refused)
     throw InputError(
-        toml_of(survey), "[[record]]", "none of the records is of kind free_decay or impact",
+        toml_of(survey_), "[[record]]", "none of the records is of kind free_decay or impact",
         std::any_of(campaign.records.begin(), campaign.records.end(),
                     [](const RecordEntry& entry) { return entry.row != nullptr; })
             ? "a modal survey needs free decays or impacts; of tables of lines, `secular identify` with a "
@@ -138,6 +219,11 @@ SurveyRecords::SurveyRecords(ModalSurvey& survey, ShortDecays too_short)
 const SurveyRecords::Part& SurveyRecords::part(std::size_t r) {
   if (part_ && part_record_ == r) return *part_;
   part_.reset();
+  if (const auto known = read_->parts.find(r); known != read_->parts.end()) {
+    part_ = known->second;
+    part_record_ = r;
+    return *part_;
+  }
   const RecordEntry& entry = survey_.campaign.records[r];
   const Record record = reader_.read(r);
   const auto samples = static_cast<Index>(record.samples());
@@ -148,7 +234,7 @@ const SurveyRecords::Part& SurveyRecords::part(std::size_t r) {
     throw InputError((survey_.campaign.folder / entry.file).string(), "",
                      fmt::format("has {} samples between --from and --to", count),
                      "a modal survey needs 64 or more");
-  auto read = std::make_unique<Part>();
+  auto read = std::make_shared<Part>();
   read->rate = record.sample_rate_hz;
   read->start_s = record.start_s + static_cast<double>(first) / read->rate;
   const auto column = [&](std::size_t channel) {
@@ -158,6 +244,8 @@ const SurveyRecords::Part& SurveyRecords::part(std::size_t r) {
   for (std::size_t c = 0; c < survey_.channels.size(); ++c)
     read->responses.col(static_cast<Index>(c)) = column(survey_.channels[c]);
   if (force_) read->force = column(*force_);
+  read->clipped = clipped_rows(read->responses);
+  read_->keep(r, read);
   part_ = std::move(read);
   part_record_ = r;
   return *part_;
@@ -168,7 +256,8 @@ std::optional<SurveyDecay> SurveyRecords::cut_decay(std::size_t r) {
   const RecordEntry& entry = survey_.campaign.records[r];
   const Part& whole = part(r);
   const Index factor = decimation_factor(whole.rate, survey_.options.highest_hz);
-  const FreeRows free = free_rows(whole.responses, entry.kind == RecordKind::impact, whole.rate);
+  FreeRows free = free_rows(whole.responses, entry.kind == RecordKind::impact, whole.rate);
+  if (!free.to_the_end) free.begin = whole.behind_clipped(free.begin, free.end);
   const auto is_too_short = [&]() -> std::optional<SurveyDecay> {
     if (too_short_ == ShortDecays::left_out) return std::nullopt;
     throw InputError((survey_.campaign.folder / entry.file).string(), "",
@@ -251,7 +340,7 @@ void SurveyRecords::keep_swing(const Part& part, const std::string& group, Index
       first = std::min(first, i);
       last = i;
     }
-  const Index left = begin + last + 1 + (last - first + 1);
+  const Index left = part.behind_clipped(begin + last + 1 + (last - first + 1), end);
   if (end - left < least_rows) return;
   const Index factor = decimation_factor(part.rate, survey_.options.highest_hz);
   const MatrixXd swing = part.responses.middleRows(left, end - left);

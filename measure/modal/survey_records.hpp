@@ -58,13 +58,15 @@ enum class ShortDecays { refused, left_out };
 /// The file that faults of a survey's channels stand in.
 std::string toml_of(const ModalSurvey& survey);
 
-/// The records of a survey, one of them in memory at a time: samples are read when they are asked for, and the
-/// record read last is kept.
+/// The records of a survey. Samples are read when they are asked for, and kept as long as all that were fit into
+/// 128 MB; of more, the record read last.
 class SurveyRecords {
  public:
   /// Reads the records that the options choose once. Fills channels, form, unit and warnings of the survey, which
   /// must outlive this. Throws InputError.
-  explicit SurveyRecords(ModalSurvey& survey, ShortDecays too_short = ShortDecays::refused);
+  explicit SurveyRecords(ModalSurvey& survey);
+  /// Those of another band of the same survey, too short ones left out: what `read` holds is not read again.
+  SurveyRecords(ModalSurvey& survey, const SurveyRecords& read);
   ~SurveyRecords();
   SurveyRecords(const SurveyRecords&) = delete;
   SurveyRecords& operator=(const SurveyRecords&) = delete;
@@ -84,6 +86,9 @@ class SurveyRecords {
 
  private:
   struct Part;
+  /// Samples that were read, by record, as long as they fit into most_bytes.
+  struct ReadParts;
+  void find_records();
   const Part& part(std::size_t record);
   std::optional<SurveyDecay> cut_decay(std::size_t record);
   void keep_decay(std::size_t record);
@@ -99,7 +104,8 @@ class SurveyRecords {
   std::vector<FreeSwing> swings_;
   double impact_rate_hz_ = 0;
   Eigen::Index impact_length_ = 0;
-  std::unique_ptr<Part> part_;  // of the record read last
+  std::shared_ptr<ReadParts> read_;
+  std::shared_ptr<const Part> part_;  // of the record read last
   std::size_t part_record_ = 0;
   SurveyDecay decay_;
   std::optional<std::size_t> decay_at_;

@@ -29,6 +29,8 @@ struct NoisyModes {
   std::vector<std::complex<double>> poles;
   std::vector<double> strengths;  ///< of the modes beside each other; as many as poles
   bool common_noise = false;      ///< half the noise of every channel is the same (a floor that shakes)
+  double second_hit_s = 0;        ///< so long after the first, half as strong; zero: none
+  double clipped_at = 0;          ///< of the largest response; zero: not clipped
 };
 
 /// Noise of standard deviation one: white, through one real pole (0.9), through a pair at 0.17 of the sample rate,
@@ -60,7 +62,11 @@ inline std::pair<Eigen::VectorXd, Eigen::MatrixXd> clean_record(const NoisyModes
   const double width = std::max(2 / m.rate_hz, 1 / highest), h = 1 / (fine * m.rate_hz);
   const double size = 1 + 0.1 * gaussian();
   const auto push = [&](double t) {  // half a sine
-    return struck && t > 0 && t < width ? size * std::sin(std::numbers::pi * t / width) : 0.0;
+    const double later = t - m.second_hit_s;
+    double f = t > 0 && t < width ? size * std::sin(std::numbers::pi * t / width) : 0.0;
+    if (m.second_hit_s > 0 && later > 0 && later < width)
+      f += 0.5 * size * std::sin(std::numbers::pi * later / width);
+    return struck ? f : 0.0;
   };
   for (std::size_t r = 0; r < m.poles.size(); ++r) {
     const std::complex<double> pole = m.poles[r], step = std::exp(pole * h);
@@ -102,7 +108,9 @@ inline CampaignData noisy_campaign(const NoisyModes& m, std::uint64_t seed) {
     for (int c = 0; c < m.channels; ++c) {
       Eigen::VectorXd noise = noise_of(m.colour, m.samples, gaussian);
       if (m.common_noise) noise = std::sqrt(0.5) * (noise + floor);
-      const Eigen::VectorXd seen = responses.col(c) + level * noise;
+      Eigen::VectorXd seen = responses.col(c) + level * noise;
+      const double most = m.clipped_at * responses.cwiseAbs().maxCoeff();
+      if (most > 0) seen = seen.cwiseMax(-most).cwiseMin(most).eval();
       record.channels.emplace_back(seen.begin(), seen.end());
     }
     RecordEntry entry;
