@@ -31,14 +31,16 @@ bool is_read_by_modulation(RecordKind kind) {
   return is_steady(kind) || kind == RecordKind::free_decay;
 }
 
-// What the modulation equations make of dwells and decays; empty where they make nothing of them.
-std::map<std::string, double> start_by_modulation(const IdentificationRequest& request) {
+// What the modulation equations make of dwells and decays; empty where they make nothing of them, and `why`.
+std::map<std::string, double> start_by_modulation(const IdentificationRequest& request, std::string& why) {
   std::map<std::string, double> start;
   try {
     for (const EstimatedValue& value : identify(request).estimate.parameters)
       if (value.value && std::isfinite(*value.value)) start.emplace(value.name, *value.value);
-  } catch (const InputError&) {  // no case takes them
-  } catch (const NumericalFailure&) {
+  } catch (const InputError& error) {
+    why = error.what();
+  } catch (const NumericalFailure& failure) {
+    why = failure.what();
   }
   return start;
 }
@@ -92,8 +94,9 @@ FullIdentification identify_by_full_equations(const IdentificationRequest& reque
   std::vector<Disturbance> found = found_in_records(id.campaign, request.window, reader, watch);
   id.model = source.load({});
   std::vector<std::map<std::string, double>> begins;
+  std::string no_start;
   if (holds_any(id.campaign, request.window, is_read_by_modulation)) {
-    begins.push_back(start_by_modulation(request));
+    begins.push_back(start_by_modulation(request, no_start));
     if (begins.back().empty()) begins.clear();
   }
   begins.push_back({});
@@ -103,6 +106,8 @@ FullIdentification identify_by_full_equations(const IdentificationRequest& reque
   id.disturbances = std::move(run.full.disturbances);
   for (const auto& warnings : {starts.warnings, reader.warnings()})
     id.estimate.warnings.insert(id.estimate.warnings.end(), warnings.begin(), warnings.end());
+  if (!run.full.has_converged && !no_start.empty())
+    id.estimate.warnings.push_back("dwells and free decays give no start by the modulation equations: " + no_start);
   id.looked_at = watch.records();
   id.coordinate_unit = modal_projection(id.campaign, *id.model).unit;
   return run;

@@ -12,8 +12,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Motions that begin a little apart or are driven a little differently, by what was changed: each part of the
-// state, each excitation.
+/// A part of a segment whose motions are computed anew: what is damped by the cube of a velocity brings motions
+/// that begin apart together within a segment, and their differences to rounding.
+constexpr Index part_samples = 32;
+
+// Motions of a part that begin a little apart or are driven a little differently, by what was changed: each part of
+// the state, each excitation.
 struct Neighbours {
   StretchOfMotion still;
   std::vector<StretchOfMotion> moved;
@@ -26,51 +30,108 @@ struct Changes {
   MatrixXd states, accelerations, errors;
 };
 
-Neighbours neighbours_of(const SegmentModel& model, const SegmentTrial& trial, const std::vector<Index>& at_jumps,
-                         bool driven_apart) {
-  const Index parts = trial.state.size(), inputs = driven_apart ? trial.segment.excitation.rows() : 0;
-  const VectorXd steps = state_steps(trial.state);
-  std::vector<Segment> driven(static_cast<std::size_t>(inputs), trial.segment);
-  std::vector<SegmentTrial> trials(1, trial);
-  for (Index k = 0; k < parts; ++k) {
-    trials.push_back(trial);
-    trials.back().state(k) += steps(k);
+Segment part_of_segment(const Segment& segment, Index first, Index count) {
+  Segment part;
+  part.time_s = segment.time_s;
+  part.frequency_offset = segment.frequency_offset;
+  part.sample_s = segment.sample_s;
+  part.substeps = segment.substeps;
+  part.noise_sd = segment.noise_sd;
+  if (segment.excitation.cols() > 0) part.excitation = segment.excitation.middleCols(2 * first, 2 * count - 1);
+  part.response = segment.response.middleCols(first, count);
+  return part;
+}
+
+// The parts of a segment, each as it is and driven by more, by excitation.
+class Parts {
+ public:
+  Parts(const SegmentModel& model, const SegmentTrial& trial, Index inputs)
+      : length_(model.remembers(trial.unknowns) ? trial.samples : part_samples) {
+    std::vector<StretchOfMotion> whole;
+    model.errors({trial}, nullptr, &whole);
+    const StretchOfMotion& still = whole.front();
+    const Index count = std::max<Index>(1, (trial.samples - 2) / length_ + 1), parts = trial.state.size();
+    std::vector<Segment> segments;
+    segments.reserve(static_cast<std::size_t>(count * (1 + inputs)));
+    std::vector<SegmentTrial> trials;
+    for (Index p = 0; p < count; ++p) {
+      // The first sample of the next part is the last of this one: states are carried on to it.
+      const Index first = p * length_, samples = std::min(length_ + 1, trial.samples - first);
+      VectorXd state = trial.state;
+      if (p > 0) state << still.displacement.col(first), still.velocity.col(first);
+      segments.push_back(part_of_segment(trial.segment, first, samples));
+      const Segment& part = segments.back();
+      trials.push_back({part, samples, trial.unknowns, state, trial.change});
+      const VectorXd steps = state_steps(state);
+      for (Index k = 0; k < parts; ++k) {
+        trials.push_back(trials[trials.size() - static_cast<std::size_t>(1 + k)]);
+        trials.back().state(k) += steps(k);
+      }
+      for (Index j = 0; j < inputs; ++j) {
+        segments.push_back(part);
+        segments.back().excitation.row(j).array() += trial.segment.excitation_noise_sd(j);
+        trials.push_back({segments.back(), samples, trial.unknowns, state, trial.change});
+      }
+    }
+    take(model, trials, static_cast<std::size_t>(1 + parts + inputs));
   }
-  for (Index j = 0; j < inputs; ++j) {
-    Segment& segment = driven[static_cast<std::size_t>(j)];
-    segment.excitation.row(j).array() += segment.excitation_noise_sd(j);
-    trials.push_back({segment, trial.samples, trial.unknowns, trial.state, trial.change});
+
+  /// Of a sample of the segment.
+  Changes changes_at(Index sample) const {
+    const auto p = std::min(static_cast<std::size_t>(sample / length_), all_.size() - 1);
+    return changes_in(all_[p], sample - static_cast<Index>(p) * length_);
   }
-  std::vector<StretchOfMotion> motions;
-  std::vector<VectorXd> errors = model.errors(trials, nullptr, &motions);
-  for (VectorXd& error : errors) error = silenced(std::move(error), trial.samples, at_jumps);
-  return {
-      motions.front(), {motions.begin() + 1, motions.end()}, errors.front(), {errors.begin() + 1, errors.end()}};
+  /// From a sample of the segment, not its last, to the next one; in the same part.
+  MatrixXd states_after(Index sample) const {
+    const auto p = static_cast<std::size_t>(sample / length_);
+    return changes_in(all_[p], sample + 1 - static_cast<Index>(p) * length_).states;
+  }
+
+ private:
+  void take(const SegmentModel& model, const std::vector<SegmentTrial>& trials, std::size_t of_a_part) {
+    std::vector<StretchOfMotion> motions;
+    std::vector<VectorXd> errors = model.errors(trials, nullptr, &motions);
+    for (std::size_t first = 0; first < trials.size(); first += of_a_part) {
+      Neighbours near{std::move(motions[first]), {}, std::move(errors[first]), {}};
+      for (std::size_t m = first + 1; m < first + of_a_part; ++m) {
+        near.moved.push_back(std::move(motions[m]));
+        near.moved_error.push_back(std::move(errors[m]));
+      }
+      all_.push_back(std::move(near));
+    }
+  }
+
+  static Changes changes_in(const Neighbours& n, Index sample) {
+    const Index modes = n.still.displacement.rows(), samples = n.still.displacement.cols(),
+                channels = n.still_error.size() / samples, count = static_cast<Index>(n.moved.size());
+    Changes c{MatrixXd(2 * modes, count), MatrixXd(modes, count), MatrixXd(channels, count)};
+    for (Index m = 0; m < count; ++m) {
+      const StretchOfMotion& moved = n.moved[static_cast<std::size_t>(m)];
+      c.states.col(m) << moved.displacement.col(sample) - n.still.displacement.col(sample),
+          moved.velocity.col(sample) - n.still.velocity.col(sample);
+      c.accelerations.col(m) = moved.acceleration.col(sample) - n.still.acceleration.col(sample);
+      const VectorXd& error = n.moved_error[static_cast<std::size_t>(m)];
+      for (Index r = 0; r < channels; ++r)
+        c.errors(r, m) = error(r * samples + sample) - n.still_error(r * samples + sample);
+    }
+    return c;
+  }
+
+  Index length_;
+  std::vector<Neighbours> all_;
+};
+
+bool is_silent(const std::vector<Index>& at_jumps, Index sample) {
+  return std::binary_search(at_jumps.begin(), at_jumps.end(), sample);
 }
 
 // What a sample reads of coloured noises; nothing where its errors do not count.
 MatrixXd read_colours(const Segment& segment, Index channels, const std::vector<Index>& at_jumps, Index sample) {
   MatrixXd reading = MatrixXd::Zero(channels, static_cast<Index>(segment.coloured.size()));
-  if (std::binary_search(at_jumps.begin(), at_jumps.end(), sample)) return reading;
+  if (is_silent(at_jumps, sample)) return reading;
   for (std::size_t c = 0; c < segment.coloured.size(); ++c)
     reading(static_cast<Index>(segment.coloured[c].channel), static_cast<Index>(c)) = 1;
   return reading;
-}
-
-Changes changes_at(const Neighbours& n, Index sample) {
-  const Index modes = n.still.displacement.rows(), samples = n.still.displacement.cols(),
-              channels = n.still_error.size() / samples, count = static_cast<Index>(n.moved.size());
-  Changes c{MatrixXd(2 * modes, count), MatrixXd(modes, count), MatrixXd(channels, count)};
-  for (Index m = 0; m < count; ++m) {
-    const StretchOfMotion& moved = n.moved[static_cast<std::size_t>(m)];
-    c.states.col(m) << moved.displacement.col(sample) - n.still.displacement.col(sample),
-        moved.velocity.col(sample) - n.still.velocity.col(sample);
-    c.accelerations.col(m) = moved.acceleration.col(sample) - n.still.acceleration.col(sample);
-    const VectorXd& error = n.moved_error[static_cast<std::size_t>(m)];
-    for (Index r = 0; r < channels; ++r)
-      c.errors(r, m) = error(r * samples + sample) - n.still_error(r * samples + sample);
-  }
-  return c;
 }
 
 }  // namespace
@@ -81,18 +142,19 @@ DrivenNoise::DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, c
                      s.excitation_noise_sd.maxCoeff() > 0;
   const auto colours = static_cast<Index>(s.coloured.size());
   if (!known && colours == 0) return;
-  const Neighbours near = neighbours_of(model, trial, at_jumps, known);
   const Index parts = trial.state.size(), inputs = known ? s.excitation.rows() : 0, modes = parts / 2,
               states = parts + colours;
+  const Parts near(model, trial, inputs);
   MatrixXd covariance = MatrixXd::Zero(states, states);
   for (Index c = 0; c < colours; ++c)
     covariance(parts + c, parts + c) = std::pow(s.coloured[static_cast<std::size_t>(c)].sd, 2);
-  VectorXd white = VectorXd::Ones(near.still_error.size() / trial.samples);  // variances
+  VectorXd white = VectorXd::Ones(s.response.rows());  // variances
   for (const ColouredNoise& noise : s.coloured)
     white(static_cast<Index>(noise.channel)) = noise.white_sd * noise.white_sd;
   std::vector<Step> steps;
   for (Index i = 0; i < trial.samples; ++i) {
-    const Changes now = changes_at(near, i);
+    Changes now = near.changes_at(i);
+    if (is_silent(at_jumps, i)) now.errors.setZero();
     const Eigen::FullPivLU<MatrixXd> from(now.states.leftCols(parts).transpose());
     if (!from.isInvertible()) return;
     // Changes by state, then what a change of the excitation does beside its change of the state.
@@ -117,7 +179,7 @@ DrivenNoise::DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, c
     both -= step.gain * step.gain.transpose();
     step.transition = MatrixXd::Zero(states, states + inputs);
     if (i + 1 < trial.samples) {
-      const MatrixXd on = by_state(changes_at(near, i + 1).states);
+      const MatrixXd on = by_state(near.states_after(i));
       step.transition.topLeftCorner(parts, parts) = on;
       step.transition.topRightCorner(parts, inputs) = on * push;
     }

@@ -40,18 +40,26 @@ struct Motions<Lanes> {
   static const auto& acceleration(const CompiledModel& model) { return model.acceleration_of_lanes; }
 };
 
-/// The signal at a time >= 0 in half steps of the samples, by a parabola through three neighbouring half steps.
+/// The signal at a time >= 0 in half steps of the samples, by the polynomial through five neighbouring half
+/// steps.
 inline ExcitationSample interpolated(const DrivingSignal& signal, Eigen::Index row, double at) {
   const Eigen::MatrixXd& half_steps = signal.half_steps;
   const Eigen::Index last = half_steps.cols() - 1;
-  if (last < 2) return {half_steps(row, 0), 0, 0};
+  if (last < 4) return {half_steps(row, std::min(last, static_cast<Eigen::Index>(at + 0.5))), 0, 0};
   const double per_s = 2 / signal.sample_s;
-  const auto middle = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at + 0.5), 1, last - 1);
-  const double before = half_steps(row, middle - 1), here = half_steps(row, middle),
-               after = half_steps(row, middle + 1);
+  const auto middle = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at + 0.5), 2, last - 2);
+  const double here = half_steps(row, middle);
+  const double one = half_steps(row, middle + 1) - half_steps(row, middle - 1),
+               two = half_steps(row, middle + 2) - half_steps(row, middle - 2),
+               bend_1 = half_steps(row, middle + 1) - 2 * here + half_steps(row, middle - 1),
+               bend_2 = half_steps(row, middle + 2) - 2 * here + half_steps(row, middle - 2);
+  // Derivatives where the middle is.
+  const double first = (8 * one - two) / 12, second = (16 * bend_1 - bend_2) / 12, third = 0.5 * two - one,
+               fourth = bend_2 - 4 * bend_1;
   const double x = at - static_cast<double>(middle);
-  const double slope = 0.5 * (after - before), bend = after - 2 * here + before;
-  return {here + slope * x + 0.5 * bend * x * x, (slope + bend * x) * per_s, bend * per_s * per_s};
+  return {here + x * (first + x * (second / 2 + x * (third / 6 + x * fourth / 24))),
+          (first + x * (second + x * (third / 2 + x * fourth / 6))) * per_s,
+          (second + x * (third + x * fourth / 2)) * per_s * per_s};
 }
 
 /// Right-hand sides of the full equations of motion, with what drives them and what stands beside them. A state is

@@ -17,13 +17,16 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Those of decays that are as long as the first one; none if they are too few, or of one record.
+// A transform has as many numbers as the square of this.
+constexpr Index most_cosines = 4096;
+
 std::vector<std::size_t> alike_segments(std::span<const FrozenSegment> segments) {
   std::vector<std::size_t> alike;
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (segments[i].segment.excitation.cols() == 0 &&
         (alike.empty() || segments[i].samples() == segments[alike.front()].samples()))
       alike.push_back(i);
-  if (alike.size() < diagnose_thresholds().fewest_segments ||
+  if (alike.size() < diagnose_thresholds().fewest_segments || segments[alike.front()].samples() > most_cosines ||
       segments[alike.front()].segment.record == segments[alike.back()].segment.record)
     return {};
   return alike;

@@ -71,9 +71,10 @@ struct Movement {
 class Cutter {
  public:
   Cutter(const SensorModel& sensors, const std::vector<double>& natural_frequency, const SegmentCut& cut,
-         std::vector<std::string>& warnings)
+         std::size_t records, std::vector<std::string>& warnings)
       : sensors_(sensors),
         cut_(cut),
+        records_(static_cast<Index>(records)),
         warnings_(warnings),
         lowest_(*std::min_element(natural_frequency.begin(), natural_frequency.end())),
         highest_(*std::max_element(natural_frequency.begin(), natural_frequency.end())),
@@ -108,7 +109,10 @@ class Cutter {
     if (m.driven && cut_.length != SegmentLength::whole)
       wanted = std::clamp<Index>(longest_of_several(records), wanted, of_turns(driven_turns));
     const auto length = std::min<Index>(m.available(), std::max(fewest_segment_samples, wanted));
-    if (length >= fewest_segment_samples) return length;
+    if (length >= fewest_segment_samples)
+      return cut_.whole_decays && !m.driven
+                 ? length * std::max<Index>(1, pieces_that_stand_out(m, length, noise(m)))
+                 : length;
     left_out(entry, "shorter than a few turns of the lowest mode");
     return 0;
   }
@@ -160,6 +164,7 @@ class Cutter {
   // The measured motion from one of the starts, times within `record`, and what drives it.
   Segment segment(const Movement& m, const Record& record, Index begin, Index length) const {
     Segment segment;
+    if (cut_.whole_decays && !m.driven) segment.folds = folds_of_a_record;
     segment.sample_s = 1 / m.thinned_rate();
     segment.zeros_below_hz = zero_share * lowest_ / two_pi;
     segment.substeps =
@@ -187,7 +192,15 @@ class Cutter {
     if (!start) return left_out(entry, "no free decay is found in it");
     m.first = cut_.window.band ? 0 : start->sample;  // what has passed a band begins at the release
     m.thinning = std::max<Index>(1, static_cast<Index>(std::floor(two_pi * m.rate_hz / highest_ / wanted_samples)));
+    if (cut_.whole_decays) m.thinning = std::min(m.thinning, thinning_of_whole(m));
     return m;
+  }
+
+  // With which a decay is its share of the samples that are compared. Every sample has noise of its own: one that
+  // is left out is information lost.
+  Index thinning_of_whole(const Movement& m) const {
+    const Index share = std::max<Index>(1, cut_.most_samples / records_);
+    return (m.part.samples.rows() - m.first + share - 1) / share;
   }
 
   // Samples of a segment, of which all records together hold as many as are compared.
@@ -232,16 +245,18 @@ class Cutter {
   }
 
   MatrixXd excitation(const Movement& m, Index offset, Index length) const {
-    // Two samples more on either side, for the interpolation.
+    constexpr Index beside = half_sample_reach - 1;  // more on either side, for the interpolation
     const MatrixXd& samples = m.part.samples;
-    MatrixXd around(samples.cols() - responses_, length + 4);
-    for (Index i = 0; i < length + 4; ++i)
-      around.col(i) = samples.row(std::clamp<Index>(offset + i - 2, 0, samples.rows() - 1)).tail(around.rows());
-    return at_half_samples(around).middleCols(4, 2 * length - 1);
+    MatrixXd around(samples.cols() - responses_, length + 2 * beside);
+    for (Index i = 0; i < around.cols(); ++i)
+      around.col(i) =
+          samples.row(std::clamp<Index>(offset + i - beside, 0, samples.rows() - 1)).tail(around.rows());
+    return at_half_samples(around).middleCols(2 * beside, 2 * length - 1);
   }
 
   const SensorModel& sensors_;
   const SegmentCut& cut_;
+  Index records_;
   std::vector<std::string>& warnings_;
   double lowest_, highest_;
   Index responses_;
@@ -282,7 +297,9 @@ MatrixXd at_half_samples(const MatrixXd& samples) {
     all.col(2 * i) = at(i);
     if (i + 1 < count)
       all.col(2 * i + 1) =
-          (150 * (at(i) + at(i + 1)) - 25 * (at(i - 1) + at(i + 2)) + 3 * (at(i - 2) + at(i + 3))) / 256;
+          (39690 * (at(i) + at(i + 1)) - 8820 * (at(i - 1) + at(i + 2)) + 2268 * (at(i - 2) + at(i + 3)) -
+           405 * (at(i - 3) + at(i + 4)) + 35 * (at(i - 4) + at(i + 5))) /
+          65536;
   }
   return all;
 }
@@ -294,7 +311,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
   for (std::size_t r = 0; r < campaign.records.size(); ++r)
     if (!is_steady(campaign.records[r].kind) && cut.window.takes(r, campaign.records[r].file)) records.push_back(r);
   const std::vector<double> began = record_times(campaign);
-  Cutter cutter(sensors, natural_frequency, cut, warnings);
+  Cutter cutter(sensors, natural_frequency, cut, records.size(), warnings);
   std::vector<Segment> segments;
   for (const std::size_t r : records) {
     const RecordEntry& entry = campaign.records[r];
@@ -308,7 +325,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     for (const Index begin : cutter.starts(*movement, length, noise, excitation_noise, records.size())) {
       Segment segment = cutter.segment(*movement, record, begin, length);
       segment.record = r;
-      segment.fold = static_cast<int>(r) + 1000 * (1 + number++ % folds_of_a_record);
+      segment.fold = static_cast<int>(r) + fold_step * (1 + number++ % folds_of_a_record);
       segment.time_s = began[r] + segment.in_record_s;
       segment.noise_sd = noise;
       segment.excitation_noise_sd = excitation_noise;

@@ -12,11 +12,15 @@
 
 namespace secular {
 
+/// From one fold of a record to the next.
+inline constexpr int fold_step = 1000;
+
 /// A stretch of a record that is compared sample by sample with the full equations of motion, from a state of its
 /// own.
 struct Segment {
   std::size_t record = 0;
   int fold = 0;
+  int folds = 1;  ///< of its samples, one after the other; the first is `fold`, each fold_step from the last
   double time_s = 0, in_record_s = 0;  ///< of its middle: of record_times, since the record began
   /// By mode, relative: the record's natural frequencies next to those of all. Empty: none differs.
   Eigen::VectorXd frequency_offset;
@@ -33,9 +37,12 @@ struct Segment {
   std::vector<Eigen::Index> uncompared;  ///< samples, in order, whose readings do not count
 };
 
+/// Samples on either side of a place halfway between two that its value is made of.
+inline constexpr Eigen::Index half_sample_reach = 5;
+
 /// Channels x samples -> channels x (2*samples - 1): values and those halfway between, by the polynomial through
-/// the six around them (beyond either end the last value stands), which is off by 5 (w h)^6/1024 of a tone w at
-/// steps h.
+/// the ten around them (beyond either end the last value stands), which is off by 2.4e-4 (w h)^10 of a tone w at
+/// steps h: 3e-5 at eight samples a turn, where six samples would be off by 1.2e-3.
 Eigen::MatrixXd at_half_samples(const Eigen::MatrixXd& samples);
 
 enum class SegmentLength {
@@ -52,6 +59,7 @@ struct SegmentCut {
   ForeignTones tones = {};
   ColouredNoises coloured = {};
   bool blows_as_decays = false;  ///< of impacts what follows the blow, whatever drove it
+  bool whole_decays = false;     ///< a free decay is one segment, as far as it stands out from the noise
   bool skips_blows = false;      ///< readings during a blow do not count, what it does afterwards does
 };
 

@@ -46,6 +46,15 @@ MotionStart SegmentModel::start_of(const SegmentTrial& trial, const Faults& faul
   return start;
 }
 
+bool SegmentModel::remembers(const VectorXd& unknowns) const {
+  const std::vector<double> extra = table_.faults(unknowns.data() + model_->symbols.size()).extra.amplitude;
+  return std::any_of(extra.begin(), extra.end(), [](double a) { return a != 0; }) ||
+         std::any_of(forces_.begin(), forces_.end(), [&](const StateForce& force) {
+           return unknowns(static_cast<Index>(force.strength_symbol)) != 0 &&
+                  force.law.kind != ForceLaw::Kind::state;
+         });
+}
+
 std::vector<VectorXd> SegmentModel::errors(const std::vector<SegmentTrial>& trials,
                                            std::vector<std::vector<Index>>* jumps,
                                            std::vector<StretchOfMotion>* computed) const {

@@ -32,6 +32,10 @@ class SegmentModel {
   /// Unknown that is the offset of a response channel.
   std::size_t offset(std::size_t channel) const { return model_->symbols.size() + table_.offset(channel); }
 
+  /// Whether what acts at a time hangs on more than the state and the excitation then: on what was before
+  /// (sliders, what relaxes, an extra mode) or on all of the excitation.
+  bool remembers(const Eigen::VectorXd& unknowns) const;
+
   /// Measured minus computed, in units of the noise, by trial: channel after channel, `samples` each. A motion that
   /// passes a million times its beginning counts as zero from there on. `jumps`: of every trial's motion, see
   /// StretchOfMotion. `computed`: the motions, by trial.

@@ -46,11 +46,12 @@ struct StretchOfMotion {
 };
 
 /// Integrates the full equations of motion over evenly spaced samples: fourth-order Runge-Kutta with `substeps`
-/// equal steps from sample to sample, the driving signal interpolated by parabolas. Where the equations jump with
-/// the sign of a coordinate's velocity (dry friction), a step holds to one side of the jump and ends where the
-/// velocity comes to zero, so that motions are continuous in the parameters; a coordinate that is pushed back
-/// either way stays where it is. Sliders among `forces` start unstretched and end steps where they give way or
-/// turn; what relaxes starts amid a vibration at its mode's frequency. Samples beyond 1e6 times it stay zero.
+/// equal steps from sample to sample, the driving signal interpolated by polynomials of fourth degree. Where the
+/// equations jump with the sign of a coordinate's velocity (dry friction), a step holds to one side of the jump and
+/// ends where the velocity comes to zero, so that motions are continuous in the parameters; a coordinate that is
+/// pushed back either way stays where it is. Sliders among `forces` start unstretched and end steps where they give
+/// way or turn; what relaxes starts amid a vibration at its mode's frequency. Samples beyond 1e6 times it stay
+/// zero.
 class MotionIntegrator {
  public:
   /// Keeps a reference to the model.

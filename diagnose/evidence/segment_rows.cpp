@@ -30,7 +30,10 @@ std::vector<RowLabel> segment_labels(const SegmentModel& model, const Segment& s
   label.harmonic = "rest of the signal";
   for (Index c = 0; c < s.response.rows(); ++c) {
     label.place = model.sensors().response_names[static_cast<std::size_t>(c)];
-    labels.insert(labels.end(), static_cast<std::size_t>(s.response.cols()), label);
+    for (Index i = 0; i < s.response.cols(); ++i) {
+      labels.push_back(label);
+      labels.back().fold += fold_step * static_cast<int>(i * s.folds / s.response.cols());
+    }
   }
   return labels;
 }

@@ -90,7 +90,7 @@ VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const Di
       throw InputError(
           std::string(model.name), "[nominal]",
           "gives no natural frequency above zero, and the records tell none, " + std::string(model.symbols[k].name),
-          "a rough one tells which resonance a record excites: there, or in --parameters");
+          "a rough one tells which resonance a record excites: give it there");
   start(static_cast<Index>(model.symbols.size() + faults.extra_frequency())) = start(0);
   start(static_cast<Index>(model.symbols.size() + faults.extra_damping())) = 0.01;
   return start;
@@ -255,7 +255,7 @@ Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffe
   const auto cut = [&](const Window& window, SegmentLength length) {
     return cut_segments(campaign, counted, sensors, natural,
                         {window, length, options.most_samples, options.wandering, options.tones, options.coloured,
-                         options.blows_as_decays, options.skips_blows},
+                         options.blows_as_decays, options.whole_decays, options.skips_blows},
                         result.warnings);
   };
   std::vector<Segment> segments = cut(options.window, SegmentLength::turns);
@@ -317,7 +317,7 @@ std::vector<SegmentEvidence::Left> left_of_records(const CampaignAndModel& sides
   std::vector<Segment> segments = cut_segments(
       sides.campaign, read, comparison.sensors, natural_frequencies(sides.model, options, comparison.start),
       {options.window, SegmentLength::turns, std::numeric_limits<Index>::max(), options.wandering, options.tones,
-       options.coloured, options.blows_as_decays, options.skips_blows},
+       options.coloured, options.blows_as_decays, options.whole_decays, options.skips_blows},
       said_before);
   std::erase_if(segments, [&](const Segment& s) { return s.excitation.cols() > 0 && by_lines.contains(s.record); });
   if (segments.empty()) return {};

@@ -38,6 +38,7 @@ struct DiagnosisOptions {
   bool knows_without_scatter = false;  ///< where frequencies turn out to be all the same, nothing is told
   bool blows_as_decays = false;        ///< see SegmentCut
   bool skips_blows = false;            ///< see SegmentCut
+  bool whole_decays = false;           ///< see SegmentCut
   WanderingZeros wandering;            ///< of responses: no offset of theirs lasts
   ForeignTones tones;                  ///< of records that are compared sample by sample
   ColouredNoises coloured;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "diagnose/inference/directions.hpp"
@@ -76,6 +78,33 @@ Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& opti
   return std::move(*best);
 }
 
+bool has_segments_of_decays(const Comparison& comparison, const Campaign& campaign) {
+  std::map<std::size_t, std::set<int>> folds;
+  for (const RowLabel& label : comparison.discrepancy.labels())
+    if (campaign.records[label.record].kind == RecordKind::free_decay) folds[label.record].insert(label.fold);
+  return std::any_of(folds.begin(), folds.end(), [](const auto& record) { return record.second.size() > 1; });
+}
+
+// From a fit in which segments of decays have states of their own, the same with one state a decay
+// (docs/inference.md, decays in one piece). Not where something stands beside the motion: mains and zeros keep
+// their course over a segment only.
+std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides) {
+  DiagnosisOptions options = segments.options;
+  const bool has_tones = std::any_of(options.tones.begin(), options.tones.end(),
+                                     [](const auto& of_record) { return !of_record.second.empty(); });
+  if (!segments.has_converged() || has_tones || !options.wandering.empty() || !options.coloured.empty() ||
+      !has_segments_of_decays(segments.fitted.comparison, sides.campaign))
+    return {};
+  options.whole_decays = true;
+  FittedAlone fitted{compare(sides, {}, options), segments.fitted.inference, segments.fitted.late};
+  Refit& fit = fitted.inference.null.fit;
+  Discrepancy& discrepancy = fitted.comparison.discrepancy;
+  fit = bring_to_rest(discrepancy, std::move(fit), options.threads);
+  const RowsLeft left{fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank)};
+  fitted.inference.degrees_of_freedom = left.freedom;
+  return Attempt{std::move(fitted), std::move(options), segments.foreign, left};
+}
+
 // What a lack of fit as large as the one that is seen may do to each free unknown (docs/inference.md (46)).
 VectorXd hidden_in(const Refit& fit, const RowsLeft& left) {
   const double beyond = std::sqrt(std::max(0.0, left.chi_squared - left.freedom));
@@ -124,6 +153,16 @@ DetectedGap gap_of(const Attempt& best) {
   return gap;
 }
 
+double misfit_of(const RowsLeft& left) {
+  return left.chi_squared / std::max(1.0, left.freedom);
+}
+
+// Whether one state a decay does as well as a state for each segment of it.
+bool does_as_well(const Attempt& whole, const Attempt& segments) {
+  return whole.has_converged() && (!gap_of(whole).detected || (gap_of(segments).detected &&
+                                                               misfit_of(whole.left) <= misfit_of(segments.left)));
+}
+
 // All rows as one equation.
 LackOfFit lack_of_all_rows(const RowsLeft& left, const DetectedGap& gap, std::size_t conditions) {
   LackOfFit test;
@@ -166,6 +205,15 @@ std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap
   warnings.insert(warnings.end(), comparison.warnings.begin(), comparison.warnings.end());
   for (std::string& warning : disturbed_records(comparison, campaign)) warnings.push_back(std::move(warning));
   return warnings;
+}
+
+std::string why_segments_stay(const Attempt& whole) {
+  const std::string why = whole.has_converged()
+                              ? fmt::format("the model leaves {:.3g} times what the measurement repeats to",
+                                            std::sqrt(misfit_of(whole.left)))
+                              : std::string("the fit did not come to an end");
+  return "free decays are compared in segments with a state each: in one piece " + why +
+         "; error bars are larger than those of a model that holds all along a decay";
 }
 
 // Relative standard deviation of what only blows tell of a symbol by which an excitation acts: what is between
@@ -298,7 +346,10 @@ std::vector<Disturbance> disturbances_of(const Attempt& best, const CampaignAndM
 FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const DiagnosisOptions& options,
                                         const std::vector<std::map<std::string, double>>& starts,
                                         std::vector<Disturbance> found) {
-  const Attempt best = best_attempt(sides, options, starts, found);
+  Attempt best = best_attempt(sides, options, starts, found);
+  std::optional<Attempt> whole = in_one_piece(best, sides);
+  const bool keeps_segments = whole && !does_as_well(*whole, best);
+  if (whole && !keeps_segments) best = std::move(*whole);
   const Comparison& comparison = best.fitted.comparison;
   const DetectedGap gap = gap_of(best);
   FullEstimate result;
@@ -314,6 +365,7 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   if (result.has_converged) take_directions(result.estimate, best, sides.model);
   result.estimate.lack_of_fit = {{"", {lack_of_all_rows(best.left, gap, result.conditions)}}};
   result.estimate.warnings = warnings_of(best, gap, result.conditions, sides.campaign);
+  if (keeps_segments) result.estimate.warnings.push_back(why_segments_stay(*whole));
   return result;
 }
 

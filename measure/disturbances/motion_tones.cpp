@@ -43,14 +43,19 @@ MotionTones::MotionTones(const SearchedRecord& record) : record_(record), rate_(
   forced_ = dwell;
   decays_ = entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
   const bool tonal = dwell || entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
-  double largest_share = 0;
+  double largest_share = 0, in_lines = 0, in_all = 0;  // of the excitation's power
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     const SearchedChannel& channel = record.channels[c];
     const Line* line = strongest(channel);
     if (line == nullptr) continue;
     if (dwell && record.is_excitation(c)) generators_.push_back(line->frequency_hz);
-    if (!tonal && record.is_excitation(c))
-      for (const Line& excited : channel.lines) excited_.push_back(excited.frequency_hz);
+    if (!tonal && record.is_excitation(c)) {
+      in_all += channel.rms * channel.rms;
+      for (const Line& excited : channel.lines) {
+        excited_.push_back(excited.frequency_hz);
+        in_lines += 0.5 * excited.amplitude * excited.amplitude;
+      }
+    }
     if (tonal && !dwell && !record.is_excitation(c) && line->amplitude > largest_share * channel.rms) {
       largest_share = line->amplitude / channel.rms;
       generators_ = {line->frequency_hz};
@@ -59,6 +64,28 @@ MotionTones::MotionTones(const SearchedRecord& record) : record_(record), rate_(
   }
   if (dwell && generators_.empty() && entry.excitation_frequency_hz)
     generators_.push_back(*entry.excitation_frequency_hz);
+  if (2 * in_lines > in_all) take_sums_of_two();
+}
+
+void MotionTones::take_sums_of_two() {
+  sums_of_two_.assign(static_cast<std::size_t>(0.5 * rate_ / tolerance_) + 2, false);
+  for (const double a : excited_)
+    for (const double b : excited_)
+      for (const double sum : {a + b, a - b}) {
+        const double place = folded(sum) / tolerance_;
+        for (const double near : {std::floor(place), std::ceil(place)})
+          sums_of_two_[static_cast<std::size_t>(near)] = true;
+      }
+}
+
+bool MotionTones::is_sum_of_excited(double frequency_hz) const {
+  if (sums_of_two_.empty()) return false;
+  const auto is_of_two = [&](double f) {
+    return sums_of_two_[static_cast<std::size_t>(std::lround(folded(f) / tolerance_))];
+  };
+  return is_of_two(frequency_hz) || std::any_of(excited_.begin(), excited_.end(), [&](double f) {
+           return is_of_two(frequency_hz - f) || is_of_two(frequency_hz + f);
+         });
 }
 
 double MotionTones::folded(double frequency_hz) const {
@@ -102,6 +129,7 @@ bool MotionTones::has_weak_partner(double frequency_hz, double of_hz) const {
 bool MotionTones::is_harmonic(double frequency_hz) const {
   if (std::any_of(excited_.begin(), excited_.end(), [&](double f) { return same(f, frequency_hz, tolerance_); }))
     return true;
+  if (is_sum_of_excited(frequency_hz)) return true;
   for (std::size_t a = 0; a < generators_.size(); ++a) {
     if (is_multiple(frequency_hz, generators_[a], tolerance_) || is_folded(frequency_hz, generators_[a]))
       return true;

@@ -13,7 +13,8 @@ namespace secular {
 /// - of a decay: multiples of the strongest line;
 /// - a line that has a partner at its sum or difference with a multiple of the excitation: a mode that moves at a
 ///   frequency of its own is coupled to the excitation by what makes it move, and a foreign tone is not;
-/// - elsewhere (sweeps, noise): whatever line the excitation has too.
+/// - elsewhere (sweeps, noise): whatever line the excitation has too; where lines make most of the excitation, sums
+///   and differences of two or three of them, which quadratic and cubic terms make.
 class MotionTones {
  public:
   explicit MotionTones(const SearchedRecord& record);
@@ -38,6 +39,8 @@ class MotionTones {
   bool is_folded(double frequency_hz, double of_hz) const;
   bool has_partner(double frequency_hz, double of_hz, const std::vector<double>& others, double tolerance) const;
   bool has_weak_partner(double frequency_hz, double of_hz) const;
+  void take_sums_of_two();
+  bool is_sum_of_excited(double frequency_hz) const;
 
   const SearchedRecord& record_;
   double rate_ = 0, tolerance_ = 0;
@@ -46,6 +49,7 @@ class MotionTones {
   bool decays_ = false;             // swings freely: no subharmonics
   std::vector<double> generators_;  // excitation frequencies of a dwell, the strongest line of a decay
   std::vector<double> excited_;     // other records: lines of the excitation
+  std::vector<bool> sums_of_two_;   // of these, by frequency in tolerances; empty: they are not what drives
 };
 
 }  // namespace secular

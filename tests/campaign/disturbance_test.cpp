@@ -255,6 +255,31 @@ TEST(Disturbances, BlowsOfOneSampleAreNoSpikes) {
       }
 }
 
+// Of a base that is made of lines on a grid a cubic term makes lines on that grid, also where the base has none;
+// hum between them is foreign.
+TEST(Disturbances, SumsOfTheExcitationsLinesAreTheMotions) {
+  constexpr double grid = 6;  // Hz
+  Normal normal(7);
+  Record record;
+  record.sample_rate_hz = drive_rate;
+  record.channels.assign(2, Samples(drive_count));
+  std::vector<double> phases;
+  for (int k = 0; k < 5; ++k) phases.push_back(two_pi * normal.uniform());
+  for (std::size_t i = 0; i < drive_count; ++i) {
+    double base = 0;
+    for (int k = 0; k < 5; ++k)
+      base += std::cos(two_pi * grid * (2 + k) * at(i) + phases[static_cast<std::size_t>(k)]);
+    record.channels[0][i] = base + 0.01 * normal();
+    record.channels[1][i] =
+        base + 0.02 * base * base * base + 0.1 * std::cos(two_pi * 33.1 * at(i)) + 0.01 * normal();
+  }
+  std::vector<double> foreign;
+  for (const Disturbance& d : find_disturbances(campaign_of(1, RecordKind::broadband), 0, record))
+    if (d.kind == "foreign_tone") foreign.push_back(*d.frequency_hz);
+  ASSERT_EQ(foreign.size(), 1u);
+  EXPECT_NEAR(foreign.front(), 33.1, 0.05);
+}
+
 TEST(Disturbances, EveryRowHasACase) {
   std::set<std::string> tested = {"uneven_time", "late_record", "record_scatter", "coloured_noise",
                                   "blow_mismatch"};  // of stamps; of identify; of diagnose

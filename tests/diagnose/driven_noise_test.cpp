@@ -71,6 +71,27 @@ TEST(DrivenNoise, WhatItDoesToErrorsIsWhitened) {
     }
 }
 
+// Damping by the cube of a velocity brings motions that begin apart together within a tenth of the stretch: what
+// each sample's noise does is known all the same, and white where errors alone are not.
+TEST(DrivenNoise, MotionsThatRunTogetherAreToldApart) {
+  const Laboratory lab;
+  const SegmentModel model(lab.compiled, {}, lab.sensors, lab.faults);
+  const VectorXd unknowns = lab.unknowns({{"mu3", 2e4}, {"eta1", 1}});
+  double raw = 0, white = 0;
+  constexpr int runs = 4;
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    const Driven d = sweep(lab, unknowns, 0.04, seed);
+    const SegmentTrial trial{d.segment, samples, unknowns, d.state};
+    const DrivenNoise noise(model, trial, {});
+    EXPECT_TRUE(noise.is_of_excitation()) << seed;
+    const VectorXd error = model.errors({trial}).front();
+    raw += mean_square(error) / runs;
+    white += mean_square(noise.whitened(error)) / runs;
+  }
+  EXPECT_GT(raw, 1.3);  // else nothing is tested
+  EXPECT_NEAR(white, 1, 5 * std::sqrt(2.0 / (samples * runs)));
+}
+
 // Where nearly all of an error is that motion, what the interpolation between samples does to noise is seen: a few
 // hundredths.
 TEST(DrivenNoise, TwentyTimesTheNoiseOfTheResponseIsTakenOut) {
