@@ -62,7 +62,7 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
   const int structures = static_cast<int>(real_from("SECULAR_COVERAGE_STRUCTURES", 3));
   Count all;
   std::vector<double> misfit_f;
-  for (const std::string& family : blind::families) {
+  for (const std::string& family : blind::families_of(blind::Programme::dwells)) {
     Count here;
     for (int number = 1; number <= structures; ++number) {
       blind::CampaignPlan plan;
