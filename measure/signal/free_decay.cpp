@@ -70,7 +70,7 @@ double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double ra
       circular_hyperbolic_decomposition(reduced, rate / static_cast<double>(block), order);
   double best = expected, largest = 0;
   const auto consider = [&](double frequency, double power) {
-    if (std::abs(frequency / expected - 1) > measure_thresholds().tone_reach || power <= largest) return;
+    if (std::abs(frequency / expected - 1) > measure_thresholds().largest_detuning || power <= largest) return;
     largest = power;
     best = frequency;
   };
