@@ -20,22 +20,14 @@ struct EstimatorThresholds {
   double outlier_false_alarm = 0.01;
   double interval_tail = 0.025;
   // Tuned.
-  double grid_rise = 4;
-  double same_on_grid = 0.3;
-  double same_phase = 0.02;
-  double fewest_repeats = 10;
   double fewest_repeats_of_decays = 4;
   double repeats_of_short_decays = 3;
-  std::ptrdiff_t conditions_by_direction = 3;
   double near_dependency = 30;
   double shared_variance = 0.5;
-  double roughly_converged = 1;
   std::size_t replicates_needed = 4;
   double frequency_prior_sd = 0.005;
   double dependent_moves = 1e-3;
-  double far_sharper = 3;
   std::ptrdiff_t fewest_clusters = 5;
-  double smallest_signal = 0.5;
   double noise_ratio = 4;
 };
 

@@ -28,6 +28,10 @@ double f_upper_tail(double ratio, double numerator, double denominator) {
   return boost::math::cdf(complement(boost::math::fisher_f(numerator, denominator), std::max(0.0, ratio)));
 }
 
+double f_upper_quantile(double probability, double numerator, double denominator) {
+  return boost::math::quantile(complement(boost::math::fisher_f(numerator, denominator), probability));
+}
+
 double normal_upper_tail(double value) {
   return 0.5 * std::erfc(value / std::sqrt(2.0));
 }

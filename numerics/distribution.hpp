@@ -18,6 +18,10 @@ double chi_squared_upper_quantile(double probability, double degrees_of_freedom)
 /// any, every finite ratio is possible: one.
 double f_upper_tail(double ratio, double numerator, double denominator);
 
+/// The ratio that is exceeded with this probability, which lies in (0, 1); both degrees of freedom are positive and
+/// finite.
+double f_upper_quantile(double probability, double numerator, double denominator);
+
 /// Standard normal distribution.
 double normal_upper_tail(double value);
 

@@ -67,10 +67,10 @@ void fit_null(ExplanationSearch& search, const VectorXd& start) {
   std::vector<LevelFit> nulls = fitter.from_coarse_to_fine(start, search.own);
   std::size_t& level = search.level;
   level = nulls.size() - 1;
-  // Coarse equations help where they bring what the model leaves down. What the equations of motion have no part in
-  // (a harmonic of the excitation that the model leaves out) is missed at every level alike.
+  // Coarse equations help where they take away more of what the model leaves than stays. What the equations of
+  // motion have no part in (a harmonic of the excitation that the model leaves out) is missed at every level alike.
   const bool in_equations =
-      nulls.front().fit.chi_squared < diagnose_thresholds().least_relief * nulls.back().fit.chi_squared;
+      nulls.front().fit.chi_squared < (1 - diagnose_thresholds().least_closing) * nulls.back().fit.chi_squared;
   if (nulls[level].misses() && in_equations) {
     while (level > 0 && nulls[level].misses()) --level;
     Refit& fit = nulls[level].fit;

@@ -11,7 +11,7 @@ namespace {
 
 /// Nonlinear fits: at most so many candidates, and only those whose gain is this share of the best.
 constexpr std::size_t most_fits = 16;
-constexpr auto& least_gain_share = diagnose_thresholds().least_gain_share;
+constexpr auto& least_gain_share = diagnose_thresholds().least_share;
 
 }  // namespace
 

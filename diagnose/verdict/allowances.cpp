@@ -18,8 +18,10 @@ void take_decays(FrequencyScatter& scatter, const Eigen::VectorXd& decays) {
     if (decays(k) > 0) scatter.sd(k) = decays(k);
 }
 
+// Laws that follow settings would leave more of it than an approximate explanation may.
 bool scatters_at_random(const FrequencyScatter& scatter) {
-  return scatter.any() && (!scatter.follows_settings || scatter.at_random > diagnose_thresholds().least_at_random);
+  return scatter.any() &&
+         (!scatter.follows_settings || scatter.at_random > 1 - diagnose_thresholds().most_of_the_gap);
 }
 
 std::ptrdiff_t excitation_count(const Campaign& campaign) {

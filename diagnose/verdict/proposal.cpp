@@ -13,17 +13,18 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// A test is proposed if it has this chance of leaving one explanation, and leaves no more than this share of the
+/// A test is proposed if it has this chance of leaving one explanation, and takes away as large a share of the
 /// probability that another one is right.
 constexpr auto& worth_a_test = diagnose_thresholds().worth_a_test;
-constexpr auto& most_doubt = diagnose_thresholds().most_doubt;
 
-/// Explanations that a next experiment is planned for, and the least probability that each counts with there.
+/// Explanations that a next experiment is planned for. Each counts with the odds that keep an explanation in, at
+/// least.
 constexpr std::size_t most_hypotheses = 4;
-constexpr auto& least_rival = diagnose_thresholds().least_rival;
+constexpr auto& least_rival = diagnose_thresholds().told_apart;
 
 bool is_worth_it(const ProposedTest& test) {
-  return test.compared > 0 && test.chance >= worth_a_test && 1 - test.probability <= most_doubt * (1 - test.before);
+  return test.compared > 0 && test.chance >= worth_a_test &&
+         1 - test.probability <= (1 - worth_a_test) * (1 - test.before);
 }
 
 }  // namespace

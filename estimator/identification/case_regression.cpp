@@ -31,12 +31,9 @@ using Eigen::VectorXd;
 
 constexpr int pass_limit = 14;
 
-/// Reweighting ends where no coefficient moves by more than this share of its standard deviation.
+/// Reweighting ends where no coefficient moves by more than this share of its standard deviation. Ensembles are
+/// compared with others of their condition there.
 constexpr double converged_change = 0.03;
-
-/// Ensembles are compared with others of their condition where it moves by less than this: what coefficients lack
-/// is the same for all of them.
-constexpr auto& roughly_converged = estimator_thresholds().roughly_converged;
 
 /// Observations that one thread takes at a time.
 constexpr std::size_t chunk = 16;
@@ -107,7 +104,7 @@ class CaseRegression {
   CaseFit run() {
     if (result_.columns.empty() || set_.observations.empty()) return std::move(result_);
     const bool keep = warm_ && reweighting_.keep;
-    if (!keep) iterate(roughly_converged);
+    if (!keep) iterate(converged_change);
     if (!keep && !reweighting_.rough) {
       if (case_.excited) weigh_ensembles();
       iterate(converged_change);

@@ -30,11 +30,10 @@ constexpr double rounding = 1e-3;
 /// length is left.
 constexpr double dependent = 1e-6;
 
-/// Where there are fewer degrees of freedom among the repeats of dwells, the measured noise stands for them. What
-/// repeats in a decay is not the noise alone (other modes ring, too): there, so many times that noise does (tuned:
+/// Where no condition of dwells was repeated, the measured noise stands for the scatter of repeats. What repeats in
+/// a decay is not the noise alone (other modes ring, too): there, so many times that noise does (tuned:
 /// right models leave 1.2 to 3.4 times it in draws of three short decays, one that lacks friction 21 times; alarm
 /// from 2.3 times this on).
-constexpr auto& fewest_repeats = estimator_thresholds().fewest_repeats;
 constexpr auto& fewest_repeats_of_decays = estimator_thresholds().fewest_repeats_of_decays;
 constexpr auto& repeats_of_short_decays = estimator_thresholds().repeats_of_short_decays;
 
@@ -221,7 +220,7 @@ Scatter scatter_of(const Conditions& conditions, bool of_dwells) {
       squares += std::max(0.0, group.squares - group.between());
       freedom += (group.count - 1) * (1 - group.phase_share());
     }
-    return freedom >= fewest_repeats ? Scatter{squares / freedom, freedom} : Scatter{};
+    return freedom > 0 ? Scatter{squares / freedom, freedom} : Scatter{};
   }
   double count = 0;
   for (const auto& [record, values] : conditions.in_time)

@@ -27,9 +27,6 @@ namespace {
 constexpr int most_phase_steps = 12, most_steps_of_mate = 60;
 constexpr double step_share = 0.03;
 
-/// Phases of all records nearer than this (radians) are one minimum.
-constexpr auto& same_phase = estimator_thresholds().same_phase;
-
 /// Probability that noise makes a minimum higher than it is by what tells it apart.
 constexpr auto& phase_alarm = estimator_thresholds().phase_alarm;
 
@@ -136,22 +133,22 @@ std::optional<PhaseFit> refined(const PhaseProblem& problem, std::vector<double>
 
 std::vector<PhaseFit> equal_minima(const PhaseProblem& problem, const std::vector<std::vector<double>>& starts) {
   std::vector<PhaseFit> found;
+  // Phases that differ by less than they are known are one minimum.
+  const auto is_known = [&](const std::vector<double>& ahead) {
+    return std::any_of(found.begin(), found.end(),
+                       [&](const PhaseFit& other) { return agree(other.ahead, ahead, other.sd); });
+  };
   const auto search = [&](const std::vector<double>& start, int steps) {
     std::optional<PhaseFit> phases = refined(problem, start, steps);
     if (!phases || !(phases->left >= 1)) return;
-    const bool known = std::any_of(found.begin(), found.end(), [&](const PhaseFit& other) {
-      return agree(other.ahead, phases->ahead, same_phase);
-    });
-    if (!known) found.push_back(std::move(*phases));
+    if (!is_known(phases->ahead)) found.push_back(std::move(*phases));
   };
   for (const std::vector<double>& start : starts) search(start, most_phase_steps);
   // Half a turn of every phase fits as well with the other sign, whether or not a start has led there.
   for (std::size_t m = 0, reached = found.size(); m < reached; ++m) {
     std::vector<double> start = found[m].ahead;
     for (double& angle : start) angle += std::numbers::pi;
-    if (std::none_of(found.begin(), found.end(),
-                     [&](const PhaseFit& other) { return agree(other.ahead, start, same_phase); }))
-      search(start, most_steps_of_mate);
+    if (!is_known(start)) search(start, most_steps_of_mate);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const PhaseFit& a, const PhaseFit& b) { return a.sum_of_squares < b.sum_of_squares; });

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
-#include "estimator/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -28,13 +27,13 @@ constexpr int random_starts = 48;
 /// Each lowers the sum of squares on a finite set: a limit that is hardly ever reached.
 constexpr int most_alternations = 100;
 
-/// Minima of the grid that are followed. A grid adds to the sum of squares of each: that much more than the lowest
-/// may be the lowest in the end.
+/// Minima of the grid that are followed, the lowest: which of them are minima is decided at the noise
+/// (phase_fit.cpp).
 constexpr std::size_t most_minima = 8;
-constexpr auto& grid_rise = estimator_thresholds().grid_rise;
 
-/// Phases of all records nearer than this (radians) belong to one minimum.
-constexpr auto& same_on_grid = estimator_thresholds().same_on_grid;
+/// Phases of all records nearer than this (radians) belong to one minimum: searches from either side of it end no
+/// farther from it than a step of the grid, two from each other, and half a one for rounding.
+constexpr double same_on_grid = 2.5 * 2 * std::numbers::pi / static_cast<double>(grid);
 
 /// Mean equations of each record at each phase of the grid, over the size of the motion: nothing of the
 /// coefficients is needed to weigh them.
@@ -102,9 +101,7 @@ class PhaseGrid {
       return a.solution.sum_of_squares < b.solution.sum_of_squares;
     });
     for (const Minimum& minimum : all) {
-      if (low.size() == most_minima ||
-          minimum.solution.sum_of_squares > grid_rise * all.front().solution.sum_of_squares)
-        break;
+      if (low.size() == most_minima) break;
       const bool known = std::any_of(low.begin(), low.end(), [&](const std::vector<double>& other) {
         return agree(other, angles(minimum.phase), same_on_grid);
       });

@@ -92,8 +92,12 @@ Solution least_squares(const Equations& all) {
 }
 
 bool agree(const std::vector<double>& a, const std::vector<double>& b, double enough) {
+  return agree(a, b, std::vector<double>(a.size(), enough));
+}
+
+bool agree(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& enough) {
   for (std::size_t r = 0; r < a.size(); ++r)
-    if (std::abs(std::remainder(a[r] - b[r], 2 * std::numbers::pi)) > enough) return false;
+    if (std::abs(std::remainder(a[r] - b[r], 2 * std::numbers::pi)) > enough[r]) return false;
   return true;
 }
 

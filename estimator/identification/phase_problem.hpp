@@ -56,4 +56,7 @@ ObservationSet turned(const PhaseProblem& problem, const std::vector<double>& ah
 /// Whether phases of all records agree within `enough`, periods apart or not.
 bool agree(const std::vector<double>& a, const std::vector<double>& b, double enough);
 
+/// The same, `enough` by record.
+bool agree(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& enough);
+
 }  // namespace secular

@@ -24,10 +24,6 @@ using Eigen::VectorXd;
 /// the other belong to nothing.
 constexpr double lost_direction = 1e-9, part_of_group = 1e-8;
 
-/// Evidence of null-space coordinates counts where its error is more than this many times smaller than that of the
-/// lumps.
-constexpr auto& far_sharper = estimator_thresholds().far_sharper;
-
 // Whitening of one case's lumps through scaled variables: they differ by many powers of ten.
 struct Whitening {
   VectorXd inverse_sd;
@@ -230,8 +226,8 @@ MatrixXd slopes_of_lumps(std::span<const LumpEstimates> cases, const VectorXd& p
 // Clustered cases by their own rows, the others by their lumps: the rows of `further`, which holds all lumps'.
 // `directions`: along which unknowns are fitted.
 std::optional<ClusterScatter> scatter_at(std::span<const LumpEstimates> cases, const VectorXd& unknowns,
-                                           Index count, const std::vector<bool>& given, MatrixXd further,
-                                           const MatrixXd& directions) {
+                                         Index count, const std::vector<bool>& given, MatrixXd further,
+                                         const MatrixXd& directions) {
   std::vector<CommonFit> common;
   Index row = 0;
   for (const LumpEstimates& part : cases) {
@@ -483,7 +479,7 @@ class SharedFit {
 
 // Each case's evidence as far as it tells more than the lumps do, which leave the null-space coordinates this
 // covariance. Both see the same noise: what the lumps tell nearly as well would count twice. A row counts with the
-// share 1 - far_sharper^2 q of its weight, q what the lumps tell along it (beyond what is plausible, a variance of
+// share 1 - q of its weight, q what the lumps tell along it (beyond what is plausible, a variance of
 // one) over what it tells itself.
 std::vector<ResidualInformation> beyond_lumps(std::span<const LumpEstimates> cases, const MatrixXd& by_lumps) {
   const Index directions = by_lumps.rows();
@@ -498,7 +494,7 @@ std::vector<ResidualInformation> beyond_lumps(std::span<const LumpEstimates> cas
       const VectorXd along = all.design.row(row).transpose().normalized();
       const double by_the_lumps = std::max(0.0, along.dot(told * along)),
                    by_itself = all.design.row(row).squaredNorm();
-      const double left = 1 - far_sharper * far_sharper * by_the_lumps / by_itself;
+      const double left = 1 - by_the_lumps / by_itself;
       if (!(left > 0)) continue;
       kept.push_back(row);
       share.push_back(std::sqrt(left));

@@ -23,8 +23,14 @@ using Eigen::VectorXd;
 /// Fewer clusters say too little of their scatter.
 constexpr auto& fewest_clusters = estimator_thresholds().fewest_clusters;
 
-/// Of a direction, at least, next to the errors of the columns.
-constexpr auto& smallest_signal = estimator_thresholds().smallest_signal;
+/// What errors of the columns leave of a clear direction, at least: none with less than noise_ratio times what they
+/// give, or half of that where it was clear before, is one.
+double smallest_signal() {
+  return 1 - 2 / estimator_thresholds().noise_ratio;
+}
+
+/// Of a variance: it rests mainly on what has more.
+constexpr auto& shared_variance = estimator_thresholds().shared_variance;
 
 /// Rows that one thread takes at a time.
 constexpr Index chunk = 1024;
@@ -87,7 +93,7 @@ Coordinates without_attenuation(const VectorXd& seen, const Directions& directio
         errors.with_response - errors.gram * (fit.basis(Eigen::all, directions.noisy) * seen(directions.noisy));
     const auto count = static_cast<Index>(clear.size());
     const Eigen::LDLT<MatrixXd> kept(MatrixXd::Identity(count, count) - basis.transpose() * errors.gram * basis);
-    if (kept.isPositive() && kept.vectorD().minCoeff() > smallest_signal) {
+    if (kept.isPositive() && kept.vectorD().minCoeff() > smallest_signal()) {
       const VectorXd corrected = kept.solve(seen(clear) - basis.transpose() * left);
       fit.bias = basis * (seen(clear) - corrected);
       result.value(clear) = corrected;
@@ -149,14 +155,14 @@ void note_noisy(const std::vector<Index>& noisy, const MatrixXd& seen, LinearFit
   const Index columns = seen.rows(), null = fit.lost.cols();
   VectorXd share = VectorXd::Zero(columns);
   for (const Index i : noisy) share += fit.variance_proportions.row(i).transpose();
-  if ((share.array() > 0.5).any()) {
+  if ((share.array() > shared_variance).any()) {
     fit.lost.conservativeResize(columns, null + fit.noisy);
     fit.lost.rightCols(fit.noisy) = seen(Eigen::all, noisy);
   }
   for (Index c = 0; c < columns; ++c)
-    for (Index other = 0; other < columns && share(c) > 0.5; ++other) {
+    for (Index other = 0; other < columns && share(c) > shared_variance; ++other) {
       fit.identifiable[static_cast<std::size_t>(c)] = false;
-      if (other != c && share(other) > 0.5)
+      if (other != c && share(other) > shared_variance)
         fit.entangled_with[static_cast<std::size_t>(c)].push_back(static_cast<int>(other));
     }
 }

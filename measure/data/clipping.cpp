@@ -17,17 +17,22 @@ namespace secular {
 namespace {
 
 constexpr auto& long_run = measure_thresholds().clipped_run;  // judged by itself; shorter ones are together
-constexpr auto& fewest_points = measure_thresholds().clipping_points;  // of the parabola beside a run
+constexpr std::size_t fewest_points = 4;  // of the parabola beside a run: twice its unknowns, slope and curvature
 constexpr auto& fit_depth_in_quanta =
     measure_thresholds().clipping_depth;  // how deep the parabola is fitted at least
 constexpr auto& excess_in_quanta =
     measure_thresholds().clipping_excess;  // beyond the flat value; a turning point has at most about one
-constexpr auto& fewest_quanta_in_range = measure_thresholds().clipping_range;
+constexpr auto& fewest_quanta_in_range = measure_thresholds().coarse_levels;
 constexpr auto& resting_share =
     measure_thresholds().resting_share;  // of all samples at one extreme: the signal's rest
 constexpr auto& two_level_share =
     measure_thresholds().two_level_share;  // of all samples at either extreme: a square wave
-constexpr auto& fewest_levels = measure_thresholds().clipping_levels;  // that tell a common divisor
+
+// Levels that tell a common divisor: so many whole numbers at random have one with probability 1 - 1/zeta(n), next
+// to 2^-n.
+std::size_t fewest_levels() {
+  return static_cast<std::size_t>(std::ceil(-std::log2(measure_thresholds().clipping_false_alarm)));
+}
 
 // Of the range: what tones leave of a noise floor, most (4e-5) where they lie in the upper half of the spectrum.
 constexpr double most_leakage = 1e-4;
@@ -114,7 +119,7 @@ double grid_near_extreme(const std::function<double(std::size_t)>& depth_of, std
   for (std::size_t n = 0; n < count; ++n) {
     const double depth = depth_of(n);
     if (depth - level <= same) continue;
-    if (depth > 0.25 * range && levels >= fewest_levels) break;
+    if (depth > 0.25 * range && levels >= fewest_levels()) break;
     ++levels;
     double rest = depth - level;
     while (rest > same) {
@@ -187,7 +192,7 @@ Clipping find_clipping(std::span<const double> samples, const std::vector<double
   Clipping clipping;
   if (samples.empty()) return clipping;
   const double range = sorted.back() - sorted.front(), quantum = grid.step.value_or(0);
-  if (!(range > 0) || range < fewest_quanta_in_range * quantum) return clipping;
+  if (!(range > 0) || range < static_cast<double>(fewest_quanta_in_range) * quantum) return clipping;
   const Side top = judge_side(samples, sorted, 1, quantum);
   const Side bottom = judge_side(samples, sorted, -1, quantum);
   const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(samples.size()); };

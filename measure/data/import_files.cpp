@@ -128,7 +128,7 @@ void read_time(DataFile& data, const ExpectedFile& expected, ReadFile& read) {
   read.time_unit = stamps.stated_unit;
   const TimeAxis axis = even_time_axis(stamps.values, data.file, data.place, expected.sample_rate_hz);
   if (expected.sample_rate_hz &&
-      !(std::abs(axis.sample_rate_hz / *expected.sample_rate_hz - 1) <= measure_thresholds().same_rate))
+      !(std::abs(axis.sample_rate_hz / *expected.sample_rate_hz - 1) <= measure_thresholds().same_setting))
     throw InputError(data.file, "variable " + time, fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                      fmt::format("{} {}", expected.rate_from, *expected.sample_rate_hz));
   record.start_s = axis.start_s;
@@ -224,7 +224,7 @@ ReadFile read_file(const RecordSource& source, const ExpectedFile& expected) {
 
 /// Rates of two times that are one: as those of the records of a campaign. And their first samples: rounding of
 /// stamps.
-constexpr auto& one_rate = measure_thresholds().same_rate;
+constexpr auto& one_rate = measure_thresholds().same_setting;
 constexpr auto& one_start = measure_thresholds().same_sample;
 
 // A variable that no channel is named after and that rises evenly, but not as the time of the channels does: a

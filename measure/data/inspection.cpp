@@ -149,7 +149,7 @@ RecordInspection inspect_record(const Campaign& campaign, std::size_t index, std
     inspection.samples = data.total - cut.rows + filled.rows.size();
     inspection.axis = judged_axis(data.stamps_s, data.place, campaign.sample_rate_hz, inspection.faults);
     if (inspection.axis && !(std::abs(inspection.axis->sample_rate_hz / campaign.sample_rate_hz - 1) <=
-                             measure_thresholds().same_rate))
+                             measure_thresholds().same_setting))
       inspection.faults.push_back({"time", fmt::format("is sampled at {:.6g} Hz; campaign.toml says {}",
                                                        inspection.axis->sample_rate_hz, campaign.sample_rate_hz)});
     const TimeAxis axis = inspection.axis.value_or(TimeAxis{0, campaign.sample_rate_hz, 0});

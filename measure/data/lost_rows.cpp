@@ -7,17 +7,10 @@
 
 #include "measure/data/rounded_stamps.hpp"
 #include "measure/data/time_axis.hpp"
-#include "measure/thresholds.hpp"
 #include "numerics/fill_gaps.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
-namespace {
-
-/// How far a step may be off a whole number of steps: stamps that scatter by more are no even ones.
-constexpr auto& off_a_whole_number = measure_thresholds().lost_row_off;
-
-}  // namespace
 
 std::vector<std::size_t> lost_rows(const std::vector<double>& stamps_s) {
   const auto finite = [](double x) { return std::isfinite(x); };
@@ -32,7 +25,7 @@ std::vector<std::size_t> lost_rows(const std::vector<double>& stamps_s) {
     ++place;
     if (!(here > longest_step() * step)) continue;
     const double whole = std::round(here / step);
-    if (std::abs(here / step - whole) > off_a_whole_number || whole > longest_filled + 1) return {};
+    if (std::abs(here / step - whole) > largest_jitter || whole > longest_filled + 1) return {};
     for (double n = 1; n < whole; ++n) lost.push_back(place++);
   }
   if (!lost.empty() && axis_of_rounded(stamps_s, std::nullopt)) return {};

@@ -90,7 +90,7 @@ Record read_record(const Campaign& campaign, const RecordEntry& entry) {
   for (std::size_t c = 0; c < data.channels.size(); ++c)
     require_filled(data.channels[c], campaign.channels[c].name, data.file, data.place);
   const TimeAxis axis = even_time_axis(data.stamps_s, data.file, data.place, campaign.sample_rate_hz);
-  if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= measure_thresholds().same_rate))
+  if (!(std::abs(axis.sample_rate_hz / campaign.sample_rate_hz - 1) <= measure_thresholds().same_setting))
     throw InputError(data.file, "", fmt::format("is sampled at {} Hz", axis.sample_rate_hz),
                      fmt::format("campaign.toml says sample_rate_hz = {}", campaign.sample_rate_hz));
   return {axis.start_s,           axis.sample_rate_hz,     std::move(data.channels),  axis.jitter_s,

@@ -16,8 +16,7 @@
 namespace secular {
 namespace {
 
-constexpr auto& neighbours_of_end =
-    measure_thresholds().beside_unrecorded;  // samples that tell how the motion goes there
+constexpr auto& neighbours_of_end = measure_thresholds().local_samples;  // that tell how the motion goes there
 
 enum class End { first, last };
 

@@ -19,7 +19,7 @@ constexpr int coarsest = 0, finest = 6;
 constexpr double exact = 1e-6;
 
 /// Relative difference of rates that a campaign counts as one rate.
-constexpr auto& same_rate = measure_thresholds().same_rate;
+constexpr auto& same_rate = measure_thresholds().same_setting;
 
 /// Steps of either length that there are at least. A gap where a sample was lost is a longer step, too: so many at
 /// random places are as evenly spread as rounding makes them once in a million (k!/k^k); and one in more than so

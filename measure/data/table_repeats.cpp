@@ -12,8 +12,8 @@ namespace secular {
 namespace {
 
 /// Relative, within which repeats of a setting are the same.
-constexpr auto& same_frequency = measure_thresholds().repeat_frequency;
-constexpr auto& same_level = measure_thresholds().repeat_level;
+constexpr auto& same_frequency = measure_thresholds().same_setting;
+constexpr auto& same_level = measure_thresholds().same_level;
 
 }  // namespace
 

@@ -10,16 +10,9 @@
 #include "input/input_error.hpp"
 #include "measure/data/rounded_stamps.hpp"
 #include "measure/formats/fortran_number.hpp"
-#include "measure/thresholds.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {
-namespace {
-
-constexpr auto& largest_jitter = measure_thresholds().largest_jitter;  // of the step
-
-}  // namespace
-
 double longest_step() {
   return 2 - largest_jitter;
 }

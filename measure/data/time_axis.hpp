@@ -14,6 +14,10 @@ struct TimeAxis {
   double jitter_s = 0;  ///< rms scatter of the stamps about it, where that is more than how they are rounded
 };
 
+/// Of a step, by which stamps may be off even ones: how many steps lie between any two is told to less than half of
+/// one.
+inline constexpr double largest_jitter = 0.25;
+
 /// Steps between stamps that can be neighbours are no longer than this, next to their median: where one is missing
 /// a step is two long, less what stamps may jitter against each other.
 double longest_step();

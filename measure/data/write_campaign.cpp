@@ -35,7 +35,7 @@ void check_record(const Campaign& campaign, const RecordEntry& entry, const Reco
                   const fs::path& folder) {
   if (record.channels.size() != campaign.channels.size())
     throw std::invalid_argument("write_campaign: a record has another number of channels than its campaign");
-  if (!(std::abs(record.sample_rate_hz / campaign.sample_rate_hz - 1) <= measure_thresholds().same_rate) ||
+  if (!(std::abs(record.sample_rate_hz / campaign.sample_rate_hz - 1) <= measure_thresholds().same_setting) ||
       !std::isfinite(record.start_s))
     throw std::invalid_argument("write_campaign: a record's time axis contradicts its campaign");
   for (std::size_t c = 0; c < record.channels.size(); ++c) {

@@ -18,8 +18,13 @@
 namespace secular {
 namespace {
 
-constexpr auto& block = measure_thresholds().held_block;  // of samples that share the scatter of differences
-constexpr auto& neighbours = measure_thresholds().held_neighbours;  // values in order that share the smallest gap
+constexpr auto& neighbours = measure_thresholds().local_samples;  // values in order that share the smallest gap
+
+// Samples that share the scatter of differences: a hold of up to two local stretches leaves their median to the
+// others.
+std::size_t block() {
+  return 4 * measure_thresholds().local_samples;
+}
 
 // The smallest gap between different values near a value: at least the step of whatever lattice is there.
 class LocalGaps {
@@ -63,10 +68,10 @@ struct BlockScatter {
 std::vector<BlockScatter> scatters(std::span<const double> x) {
   std::vector<BlockScatter> result;
   std::vector<double> one, two;
-  for (std::size_t begin = 3; begin + 2 < x.size(); begin += block) {
+  for (std::size_t begin = 3; begin + 2 < x.size(); begin += block()) {
     one.clear();
     two.clear();
-    for (std::size_t i = begin; i < std::min(begin + block, x.size() - 2); ++i) {
+    for (std::size_t i = begin; i < std::min(begin + block(), x.size() - 2); ++i) {
       one.push_back(std::abs(x[i] - x[i - 1] - difference_from_one(x, i)));
       two.push_back(std::abs(x[i] - x[i - 1] - difference_from_two(x, i)));
     }
@@ -131,7 +136,7 @@ struct Repeats {
 
 HeldSamples find_held(std::span<const double> x, const ChannelValues& values, double false_alarm) {
   HeldSamples held;
-  if (x.size() < block || values.clipping.found() || !(values.sorted.back() > values.sorted.front())) return held;
+  if (x.size() < block() || values.clipping.found() || !(values.sorted.back() > values.sorted.front())) return held;
   bool any = false;
   const SameValue same(values.sorted);
   const auto equals = [&](std::size_t i, std::size_t j) { return same(x[i], x[j]); };
@@ -152,7 +157,7 @@ HeldSamples find_held(std::span<const double> x, const ChannelValues& values, do
       i = end - 1;
       continue;
     }
-    const LocalSlope local = slope_around(x, i, end, scatter[(i - 3) / block], noise);
+    const LocalSlope local = slope_around(x, i, end, scatter[(i - 3) / block()], noise);
     const double p = chance_of_repeat(gaps.at(x[i - 1]), local.scatter, local.slope);
     repeats.see(p, equal);
     if (!equal) continue;

@@ -91,7 +91,7 @@ void add(const SearchedRecord& record, std::size_t c, std::string_view kind,
 Impulses find_impulses(std::span<const double> samples, const ValueGrid& grid, const HeldSamples& held,
                        double false_alarm) {
   Impulses impulses;
-  if (samples.size() < 4 * measure_thresholds().impulse_block) return impulses;
+  if (samples.size() < 4 * measure_thresholds().local_samples) return impulses;
   std::vector<double> x(samples.begin(), samples.end());
   for (int round = 0; round < most_spike_rounds; ++round) {
     const Roughness rough = roughness(x, grid.step.value_or(0));

@@ -11,13 +11,22 @@
 namespace secular {
 namespace {
 
-constexpr auto& either_side = measure_thresholds().mark_neighbours;  // values that tell how often one is hit
-constexpr auto& fewest_spikes = measure_thresholds().mark_spikes;
+// Values on either side that tell how often one is hit.
+std::size_t either_side() {
+  return measure_thresholds().local_samples / 2;
+}
+
+// Whether chance makes so many of `all` agree, each of which may be any of so many values: some value is hit as
+// often with no more than the sum of its probability over them.
+bool agree_by_chance(std::size_t agreeing, std::size_t all, std::size_t values, double false_alarm) {
+  const auto any = static_cast<double>(values);
+  return any * poisson_upper_tail(agreeing, static_cast<double>(all) / any) > false_alarm;
+}
 
 // Mean number of hits of a value there, at most.
 double hits(const std::vector<ValueLevel>& levels, std::size_t level) {
-  const std::size_t begin = level - std::min(level, either_side),
-                    end = std::min(levels.size(), level + either_side + 1);
+  const std::size_t begin = level - std::min(level, either_side()),
+                    end = std::min(levels.size(), level + either_side() + 1);
   double count = 1;  // one more than is seen: none may be seen twice
   for (std::size_t k = begin; k < end; ++k)
     if (k != level) count += static_cast<double>(levels[k].count);
@@ -91,14 +100,16 @@ class Visits {
 };
 
 // The value that most spikes share.
-std::optional<double> shared_by_spikes(std::span<const double> x, const Impulses& impulses, const SameValue& same) {
+std::optional<double> shared_by_spikes(std::span<const double> x, const Impulses& impulses, const SameValue& same,
+                                       std::size_t levels_of_all, double false_alarm) {
   std::vector<double> values;
   for (const Impulses::One& spike : impulses.spikes) values.push_back(x[spike.at]);
   std::sort(values.begin(), values.end());
   const std::vector<ValueLevel> levels = levels_of_sorted(values, same);
   const auto most = std::max_element(levels.begin(), levels.end(),
                                      [](const ValueLevel& a, const ValueLevel& b) { return a.count < b.count; });
-  if (most == levels.end() || most->count < fewest_spikes) return std::nullopt;
+  if (most == levels.end() || agree_by_chance(most->count, values.size(), levels_of_all, false_alarm))
+    return std::nullopt;
   return most->value;
 }
 
@@ -110,21 +121,21 @@ LostMarks find_lost_marks(std::span<const double> x, const std::vector<double>& 
   const SameValue same(sorted);
   const std::vector<ValueLevel> levels = levels_of_sorted(sorted, same);
   if (levels.size() < 2) return {};
-  if (const std::optional<double> shared = shared_by_spikes(x, impulses, same)) {
+  if (const std::optional<double> shared = shared_by_spikes(x, impulses, same, levels.size(), false_alarm)) {
     const auto level =
         std::find_if(levels.begin(), levels.end(), [&](const ValueLevel& l) { return same(l.value, *shared); });
     if (level != levels.end() && hits(levels, static_cast<std::size_t>(level - levels.begin())) <= 1)
       return Visits(x, level->value, same).marks();
   }
-  if (levels.size() > 2 * either_side)
+  if (levels.size() > 2 * either_side())
     for (const double end : {sorted.front(), sorted.back()}) {
       const Visits visits(x, end, same);
-      if (visits.runs() >= fewest_spikes && visits.out_of_reach()) return visits.marks();
+      if (!agree_by_chance(visits.runs(), visits.runs(), levels.size(), false_alarm) && visits.out_of_reach())
+        return visits.marks();
     }
   const double level_alarm = false_alarm / static_cast<double>(levels.size());
   std::optional<Visits> most;
   for (std::size_t k = 1; k + 1 < levels.size(); ++k) {
-    if (levels[k].count < fewest_spikes) continue;
     const double mean = hits(levels, k);
     if (mean > 1 || poisson_upper_tail(levels[k].count, mean) > level_alarm) continue;
     Visits visits(x, levels[k].value, same);

@@ -10,7 +10,6 @@
 namespace secular {
 namespace {
 
-constexpr auto& fewest_phases = measure_thresholds().motion_phases;
 constexpr int most_clusters = 4;      // in a turn
 constexpr double fixed_phases = 0.5;  // half way between any phases and fixed ones
 
@@ -44,6 +43,18 @@ double turns_a_sample_of(const std::vector<double>& powers) {
   return 0.5 * static_cast<double>(strongest) / (static_cast<double>(powers.size()) - 1);
 }
 
+// Of phases at random, so many, a cluster in a turn, two, ... has at least that squared length of their sum with no
+// more probability (Rayleigh's law).
+bool is_chance(double squared_length, std::size_t phases) {
+  return most_clusters * std::exp(-squared_length / static_cast<double>(phases)) >
+         measure_thresholds().spikes_not_told;
+}
+
+// Of so few not even fixed phases are told from any.
+bool are_few(std::size_t phases) {
+  return is_chance(static_cast<double>(phases * phases), phases);
+}
+
 bool are_often(const std::vector<double>& powers, const std::vector<std::size_t>& events) {
   return powers.size() >= 2 && events.size() >= 3 &&
          2 * static_cast<double>(events.size() - 1) >= turns_between(events, turns_a_sample_of(powers));
@@ -53,13 +64,15 @@ bool are_often(const std::vector<double>& powers, const std::vector<std::size_t>
 
 bool keeps_to_phases(std::span<const double> samples, const std::vector<double>& powers,
                      const std::vector<std::size_t>& events) {
-  if (!are_often(powers, events) || events.size() < fewest_phases) return false;
+  if (!are_often(powers, events) || are_few(events.size())) return false;
   std::vector<double> phases;
   for (const std::size_t at : events) phases.push_back(phase_at(samples, turns_a_sample_of(powers), at));
   for (int k = 1; k <= most_clusters; ++k) {
     std::complex<double> sum = 0;
     for (const double phase : phases) sum += std::polar(1.0, k * phase);
-    if (std::norm(sum) > fixed_phases * static_cast<double>(phases.size() * phases.size())) return true;
+    if (std::norm(sum) > fixed_phases * static_cast<double>(phases.size() * phases.size()) &&
+        !is_chance(std::norm(sum), phases.size()))
+      return true;
   }
   return false;
 }
@@ -68,7 +81,7 @@ bool recurs_with_motion(std::span<const double> samples, const std::vector<doubl
                         const std::vector<std::size_t>& events) {
   if (!are_often(powers, events)) return false;
   const double turns = turns_between(events, turns_a_sample_of(powers));
-  return events.size() < fewest_phases || static_cast<double>(events.size() - 1) > 2 * turns ||
+  return are_few(events.size()) || static_cast<double>(events.size() - 1) > 2 * turns ||
          keeps_to_phases(samples, powers, events);
 }
 

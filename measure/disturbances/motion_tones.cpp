@@ -10,8 +10,9 @@ namespace {
 
 // Halves and thirds are the subharmonics of equations with quadratic and cubic terms that are driven.
 constexpr int largest_divisor = 3;
-// Of sums of two excitations' multiples: the third power of what a cubic term makes is far below any line here.
-constexpr auto& largest_order = measure_thresholds().largest_order;
+// Of sums of two excitations' multiples: a cubic term makes sums of three tones, and of two tones and one of these
+// sums, five; what it makes of those in turn is far below any line here.
+constexpr int largest_order = 3 + 2;
 
 const Line* strongest(const SearchedChannel& channel) {
   const auto found = std::max_element(channel.lines.begin(), channel.lines.end(),
@@ -135,7 +136,7 @@ bool MotionTones::is_harmonic(double frequency_hz) const {
       return true;
     for (std::size_t b = a + 1; b < generators_.size(); ++b)
       for (int i = 0; i <= largest_order; ++i)
-        for (int j = i - static_cast<int>(largest_order); j <= largest_order - i; ++j)
+        for (int j = i - largest_order; j <= largest_order - i; ++j)
           if (same(frequency_hz, folded(i * generators_[a] + j * generators_[b]), tolerance_)) return true;
   }
   return false;

@@ -23,8 +23,6 @@ using Eigen::VectorXd;
 constexpr auto& slow_terms =
     measure_thresholds().slow_terms;  // cosines of up to two periods a record: what is slower than all else in it
 constexpr double entangled = 1e-6;    // a coefficient of which others take up more than this has no value
-constexpr auto& fewest_blocks =
-    measure_thresholds().offset_blocks;  // beyond the terms fitted: what tells the noise
 
 // Means of blocks under the window of the lines, half overlapping (which leaves 4 % of their noise in common), and
 // the mean square about them.
@@ -132,12 +130,12 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   BlockMeans blocks = block_means(samples, length);
   const Index rows =
       own_terms(record.channel(c)) > 0 ? blocks_in_motion(channel, blocks.square) : blocks.mean.size();
-  if (rows <= fewest_blocks) return std::nullopt;  // none at all where noise is all there is
+  if (rows == 0) return std::nullopt;  // noise is all there is
   blocks.mean.conservativeResize(rows);
   blocks.square.conservativeResize(rows);
   const MatrixXd x = columns(followed(record, c, blocks.square, length));
   const Index own = x.cols() - 1 - slow_terms;
-  if (rows < fewest_blocks + x.cols()) return std::nullopt;
+  if (rows <= x.cols()) return std::nullopt;
   const Eigen::CompleteOrthogonalDecomposition<MatrixXd> all(x), without(x.leftCols(1 + own));
   const MatrixXd inverse = all.pseudoInverse();
   const VectorXd fit = inverse * blocks.mean;

@@ -14,7 +14,7 @@ namespace secular {
 namespace {
 
 constexpr std::size_t most_late_blocks = 32;  // the F law with 64 degrees of freedom is near its limit
-constexpr auto& shortest_block = measure_thresholds().ringing_block;
+constexpr auto& shortest_block = measure_thresholds().local_samples;
 
 // A line at the record's begin that has gone in its second half.
 struct Ring {

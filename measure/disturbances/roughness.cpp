@@ -10,7 +10,7 @@
 namespace secular {
 namespace {
 
-constexpr auto& impulse_block = measure_thresholds().impulse_block;
+constexpr auto& impulse_block = measure_thresholds().local_samples;
 
 }  // namespace
 

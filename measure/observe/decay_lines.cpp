@@ -115,8 +115,8 @@ DecayLines decay_lines(const Campaign& campaign, const RecordReader& read, const
   std::vector<double> explained;
   for (std::size_t k = 0; k < nominal.size(); ++k) {
     if (!std::isfinite(nominal[k])) continue;
-    const Index low = spectrum->at((1 - measure_thresholds().decay_search_range) * nominal[k]),
-                high = spectrum->at((1 + measure_thresholds().decay_search_range) * nominal[k]);
+    const Index low = spectrum->at((1 - measure_thresholds().largest_detuning) * nominal[k]),
+                high = spectrum->at((1 + measure_thresholds().largest_detuning) * nominal[k]);
     Index best = 0;
     amplitude.segment(low, high - low + 1).maxCoeff(&best);
     // The flank of another mode's line is highest at the range's end.
@@ -132,7 +132,7 @@ DecayLines decay_lines(const Campaign& campaign, const RecordReader& read, const
     if (explained.size() >= nominal.size()) break;
     const double line = spectrum->bin * static_cast<double>(i);
     const bool near = std::any_of(explained.begin(), explained.end(), [&](double other) {
-      return std::abs(line - other) < measure_thresholds().decay_search_range * other;
+      return std::abs(line - other) < measure_thresholds().largest_detuning * other;
     });
     if (near || is_combination(line, explained, 2 * lobe * spectrum->bin)) continue;
     lines.further.push_back(line);

@@ -13,6 +13,7 @@
 #include "measure/signal/free_decay.hpp"
 #include "measure/signal/slow_tones.hpp"
 #include "measure/thresholds.hpp"
+#include "numerics/distribution.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -22,12 +23,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A window that leaves more than the quietest one on each side does is not used: more by this, and by as many
-/// standard deviations of a noise level; at the ends of a decay, where one side is missing, by the other factor.
+/// A window that leaves more than the quietest one on each side does is not used: more by this beside what chance
+/// makes of noise; at the ends of a decay, where one side is missing, by the other factor.
 constexpr auto& disturbed_noise = measure_thresholds().disturbed_noise;
-constexpr auto& disturbed_sd = measure_thresholds().disturbed_sd;
 constexpr auto& disturbed_end = measure_thresholds().disturbed_end;
-constexpr auto& neighbours = measure_thresholds().disturbed_neighbours;  // on either side
 
 /// A decay of which more is disturbed is cut into the shortest windows, of which more fit between disturbances.
 constexpr auto& largest_disturbed_share = measure_thresholds().disturbed_share;
@@ -43,10 +42,25 @@ constexpr auto& windows_in_a_decay = measure_thresholds().windows_in_a_decay;
 constexpr auto& largest_fall = measure_thresholds().largest_fall;
 constexpr auto& largest_bend = measure_thresholds().largest_bend;
 
+/// Windows on either side of which the quietest counts: those of two stretches, as a disturbance at their border is
+/// in all of them.
+std::size_t neighbours() {
+  return 2 * static_cast<std::size_t>(windows_in_a_stretch);
+}
+
+/// Windows of a decay that is used: more than one stretch has, which would be one condition alone.
+std::size_t fewest_windows() {
+  return static_cast<std::size_t>(windows_in_a_stretch) + 1;
+}
+
 /// Another mode counts as decayed where its part of the samples is below this share of the mode's own.
 constexpr auto& decayed_share = measure_thresholds().decayed_share;
 
-constexpr auto& fewest_windows = measure_thresholds().fewest_windows;
+/// Probability that noise, which is the same in a window and where the decay has ended, makes one of as many
+/// windows look disturbed, or another mode move in it.
+double alarm_of(std::size_t windows) {
+  return measure_thresholds().disturbance_false_alarm / static_cast<double>(windows);
+}
 
 // Root mean square about the mean of every column.
 VectorXd spread(const MatrixXd& samples) {
@@ -115,11 +129,11 @@ class DecayObserver {
       found = std::move(quiet);
     }
     drop_visited(found, modal, file, set);
-    if (found.size() < fewest_windows) {
+    if (found.size() < fewest_windows()) {
       std::string names;
       for (const std::size_t k : windows_.oscillating())
         names += (names.empty() ? "" : " and ") + std::string(model_.coordinates[k]);
-      return leave_out(fmt::format("fewer than six windows of free decay of {} alone", names));
+      return leave_out(fmt::format("fewer than {} windows of free decay of {} alone", fewest_windows(), names));
     }
     // Conditions are numbered without gaps.
     int stretches = 0, before = -1;
@@ -191,8 +205,8 @@ class DecayObserver {
       const VectorXd taper = (1 + (VectorXd::LinSpaced(count, -std::numbers::pi, std::numbers::pi)).array().cos());
       const VectorXd y = (modal.col(at).head(count).array() - modal.col(at).head(count).mean()) * taper.array();
       const double bin = two_pi * rate / static_cast<double>(count);
-      const double low = std::isfinite(nominal) ? (1 - measure_thresholds().decay_search_range) * nominal : 3 * bin;
-      const double high = std::isfinite(nominal) ? (1 + measure_thresholds().decay_search_range) * nominal
+      const double low = std::isfinite(nominal) ? (1 - measure_thresholds().largest_detuning) * nominal : 3 * bin;
+      const double high = std::isfinite(nominal) ? (1 + measure_thresholds().largest_detuning) * nominal
                                                  : std::numbers::pi * rate - 3 * bin;
       const VectorXd t = VectorXd::LinSpaced(count, 0, static_cast<double>(count - 1) / rate);
       double best = -1;
@@ -276,10 +290,13 @@ class DecayObserver {
       for (std::size_t i = 0; i < found.size(); ++i) {
         const auto noise = [&](std::size_t j) { return found[j].window.noise_sd(static_cast<Index>(k)); };
         double before = INFINITY, after = INFINITY;
-        for (std::size_t j = i > neighbours ? i - neighbours : 0; j < i; ++j) before = std::min(before, noise(j));
-        for (std::size_t j = i + 1; j < std::min(found.size(), i + neighbours + 1); ++j)
+        for (std::size_t j = i > neighbours() ? i - neighbours() : 0; j < i; ++j)
+          before = std::min(before, noise(j));
+        for (std::size_t j = i + 1; j < std::min(found.size(), i + neighbours() + 1); ++j)
           after = std::min(after, noise(j));
-        const double limit = disturbed_noise + disturbed_sd / std::sqrt(2 * found[i].window.degrees_of_freedom);
+        const double freedom = found[i].window.degrees_of_freedom;
+        const double limit =
+            disturbed_noise * std::sqrt(f_upper_quantile(alarm_of(found.size()), freedom, freedom));
         const bool both = std::isfinite(before) && std::isfinite(after);
         const double quiet = both ? limit * std::max(before, after) : disturbed_end * std::min(before, after);
         if (noise(i) > std::hypot(quiet, found[i].window.beyond_degree(static_cast<Index>(k)))) bad[i] = true;
@@ -287,8 +304,8 @@ class DecayObserver {
     return bad;
   }
 
-  // Windows in which a mode moves visibly that the case has at rest: more than its share of the others' motion and
-  // more than it does at the record's end.
+  // Windows in which a mode moves visibly that the case has at rest: by more than its share of the others' motion
+  // beside the most that chance makes of what it shows at the record's end.
   void drop_visited(std::vector<FoundWindow>& found, const MatrixXd& modal, const std::string& file,
                     ObservationSet& set) const {
     const std::vector<std::size_t>& own = windows_.oscillating();
@@ -296,11 +313,13 @@ class DecayObserver {
     std::erase_if(found, [&](const FoundWindow& w) {
       const VectorXd here = spread(modal.middleRows(w.part.first, w.part.count));
       const VectorXd tail = spread(modal.bottomRows(w.part.count));
+      const double freedom = static_cast<double>(w.part.count - 1);
+      const double chance = f_upper_quantile(alarm_of(before), freedom, freedom);
       double mine = 0;
       for (const std::size_t k : own) mine = std::max(mine, here(static_cast<Index>(k)));
       for (Index k = 0; k < modal.cols(); ++k)
         if (std::find(own.begin(), own.end(), static_cast<std::size_t>(k)) == own.end() &&
-            here(k) > decayed_share * mine && here(k) > measure_thresholds().decayed_noise * tail(k))
+            here(k) > std::hypot(decayed_share * mine, std::sqrt(chance) * tail(k)))
           return true;
       return false;
     });

@@ -9,6 +9,7 @@
 #include "estimator/model/zero_frequency.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/slow_tones.hpp"
+#include "measure/signal/tone_separation.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 
@@ -27,19 +28,14 @@ constexpr int degree = 2;
 /// third polynomial in 2u, whose mean square is 1/7.
 constexpr double beyond_second_degree = 1 / (6 * 20 * 2.6457513110645906);
 
-/// Bins between two tones of second degree, for a window to separate them; `shortest_s` asks for some more. From a
-/// constant at zero frequency fewer are enough.
-constexpr auto& separate_bins = measure_thresholds().separate_bins;
-constexpr auto& comfortable_bins = measure_thresholds().comfortable_bins;
-constexpr auto& bins_from_constant = measure_thresholds().bins_from_constant;
+/// Bins between two tones for which the length of windows is chosen, and of a tone from a constant at zero
+/// frequency. Tones may be nearer by half a bin: frequencies are not known beforehand.
+constexpr double chosen_bins = bins_between(degree, degree), bins_from_constant = bins_between(degree, 0),
+                 separate_bins = chosen_bins - half_a_bin;
 
-/// A harmonic that is nearer than this to a mode's tone, over the lowest frequency, does not lengthen the windows:
-/// where they do not separate it, it is left out.
-constexpr auto& near_harmonic = measure_thresholds().near_harmonic;
-
-/// A mode that moves further than this, in bins of the shortest window, from where it was expected is another
-/// motion or noise (what is slow in an acceleration looks like a large displacement): it is not seen.
-constexpr auto& still_the_mode = measure_thresholds().still_the_mode;
+/// A harmonic that is nearer than this to a mode's tone, over the lowest frequency, is detuned from it by what a
+/// resonance is; it does not lengthen the windows: where they do not separate it, it is left out.
+constexpr auto& near_harmonic = measure_thresholds().largest_detuning;
 
 /// Steps to the frequency at the window's centre; each leaves the square of its distance in bins.
 constexpr int frequency_steps = 6;
@@ -107,7 +103,7 @@ bool DecayWindows::same(const std::vector<int>& a, const std::vector<int>& b) co
 double DecayWindows::shortest_s(const VectorXd& frequency, double rate) const {
   double lowest = INFINITY, distance = INFINITY;
   for (const std::size_t k : oscillating_) lowest = std::min(lowest, frequency(static_cast<Index>(k)));
-  distance = lowest * (rectifies_ ? 1 : comfortable_bins / bins_from_constant);
+  distance = lowest * (rectifies_ ? 1 : chosen_bins / bins_from_constant);
   std::size_t count = oscillating_.size();
   for (const std::size_t k : oscillating_) {
     const double own = frequency(static_cast<Index>(k));
@@ -123,7 +119,7 @@ double DecayWindows::shortest_s(const VectorXd& frequency, double rate) const {
   }
   count += resonance_.blocks.size();
   // Samples for twice the unknowns at least.
-  return std::max(comfortable_bins * two_pi / distance,
+  return std::max(chosen_bins * two_pi / distance,
                   2.0 * (2 * static_cast<double>(count) + 1) * (degree + 1) / rate);
 }
 
@@ -167,7 +163,9 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   SlowToneFit seen;
   Tones list;
   const VectorXd expected = frequency;
-  const double reach = still_the_mode * two_pi / std::min(seconds, shortest_s(expected, rate));
+  // A mode that moves further than to the next line of the shortest window is another motion or noise (what is slow
+  // in an acceleration looks like a large displacement): it is not seen.
+  const double reach = half_a_bin * two_pi / std::min(seconds, shortest_s(expected, rate));
   for (int step = 0; step < frequency_steps; ++step) {
     list = tones(frequency, seconds, rate);
     seen = fit_slow_tones(modal, rate, list.frequency, degree, rectifies_ ? degree : 0);

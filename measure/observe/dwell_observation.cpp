@@ -18,6 +18,7 @@
 #include "measure/signal/bispectral_phase.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "measure/signal/tone_fit.hpp"
+#include "measure/signal/tone_separation.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/in_parallel.hpp"
@@ -30,11 +31,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Share of an excitation channel's power that its tone must have.
-constexpr auto& excitation_purity = measure_thresholds().excitation_purity;
+/// Share of an excitation channel's power that its tone must have: more than all else in it together.
+constexpr double mainly_a_tone = 0.5;
 
 /// Relative difference of measured and nominal excitation amplitude that is worth a warning.
-constexpr auto& level_tolerance = measure_thresholds().level_tolerance;
+constexpr auto& same_level = measure_thresholds().same_level;
 
 /// Free frequencies are searched this far from where the nominal values put them, relative to the lowest mode.
 constexpr auto& dwell_search_range = measure_thresholds().largest_detuning;
@@ -244,13 +245,13 @@ class DwellObserver {
     };
     const std::size_t named = excitations_.front();
     const double own = share(named);
-    if (own > excitation_purity) return {};
+    if (own > mainly_a_tone) return {};
     std::string text = fmt::format("channel {}, named excitation, has only {:.0f} % of its power at {:.4g} Hz",
                                    campaign_.channels[named].name, 100 * own, *entry.excitation_frequency_hz);
     std::size_t best = named;
     for (std::size_t c = 0; c < campaign_.channels.size(); ++c)
       if (share(c) > share(best)) best = c;
-    if (best != named && share(best) > excitation_purity)
+    if (best != named && share(best) > mainly_a_tone)
       text += fmt::format(" and channel {} has {:.0f} %: are they swapped?", campaign_.channels[best].name,
                           100 * share(best));
     return text;
@@ -268,7 +269,7 @@ class DwellObserver {
                      ObservationSet& result) const {
     if (!entry.excitation_amplitude || !(*entry.excitation_amplitude > 0) || excitations_.size() != 1) return;
     const double ratio = std::abs(found.front().forcing[0]) / *entry.excitation_amplitude;
-    if (std::abs(ratio - 1) > level_tolerance)
+    if (std::abs(ratio - 1) > same_level)
       result.warnings.push_back(fmt::format(
           "{}: channel {} holds {:.3g} times the nominal excitation amplitude: wrong channel, unit or sensitivity?",
           entry.file, campaign_.channels[excitations_.front()].name, ratio));
@@ -302,7 +303,7 @@ class DwellObserver {
     tone.harmonics = {1};
     const ToneFit fit = fit_harmonic_tone(samples, rate, start, tone);
     if (fit.ending == SolverEnding::ran_away ||
-        std::abs(fit.frequency / guess - 1) > measure_thresholds().tone_reach)
+        std::abs(fit.frequency / guess - 1) > measure_thresholds().largest_detuning)
       throw InputError((campaign_.folder / entry.file).string(), "channel " + campaign_.channels[channel].name,
                        "no steady excitation tone is found in it",
                        "check excitation_frequency_hz and the channel's role");
@@ -319,13 +320,9 @@ class DwellObserver {
     for (std::size_t k = 0; k < model_.modes(); ++k) {
       if (!modes_.oscillates[k]) continue;
       const double w = frequencies(static_cast<Index>(k));
-      if (w < measure_thresholds().separate_tone_bins * resolution ||
-          w > nyquist - measure_thresholds().separate_tone_bins * resolution)
-        return false;
+      if (w < bins_between_tones * resolution || w > nyquist - bins_between_tones * resolution) return false;
       for (const double e : excitation)
-        if (std::abs(w - std::max(1.0, std::round(w / e)) * e) <
-            measure_thresholds().separate_tone_bins * resolution)
-          return false;
+        if (std::abs(w - std::max(1.0, std::round(w / e)) * e) < bins_between_tones * resolution) return false;
     }
     return true;
   }
@@ -343,9 +340,10 @@ class DwellObserver {
       expected(k) = model_.nominal[static_cast<std::size_t>(k)];
       if (!std::isfinite(expected(k))) {
         double best = 0;
-        for (double w = 2 * resolution; w < 0.9 * std::numbers::pi * rate; w += 0.5 * resolution) {
-          const bool excited = std::any_of(excitation.begin(), excitation.end(),
-                                           [&](double e) { return std::abs(e - w) < 2 * resolution; });
+        for (double w = bins_between_tones * resolution; w < 0.9 * std::numbers::pi * rate; w += 0.5 * resolution) {
+          const bool excited = std::any_of(excitation.begin(), excitation.end(), [&](double e) {
+            return std::abs(e - w) < bins_between_tones * resolution;
+          });
           const double power = excited ? 0 : tone_power(modal.col(k), rate, VectorXd::Constant(1, w));
           if (power > best) {
             best = power;
@@ -487,7 +485,7 @@ class DwellObserver {
       for (const Observation& o : found)
         largest = o.noise_known ? std::max(largest, std::abs(o.amplitude[k]) / o.amplitude_sd[k])
                                 : (o.amplitude[k] == Complex() ? largest : INFINITY);
-      if (largest < measure_thresholds().trivial_branch_sd) return true;
+      if (largest < least_amplitude_sd()) return true;
     }
     return false;
   }

@@ -8,6 +8,7 @@
 
 #include "measure/observe/record_window.hpp"
 #include "measure/signal/tone_fit.hpp"
+#include "measure/signal/tone_separation.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/in_parallel.hpp"
@@ -63,8 +64,8 @@ std::vector<Subharmonic> tabled_subharmonics(const LineRow& row, const std::vect
     const bool there = std::any_of(responses.begin(), responses.end(), [&](std::size_t channel) {
       const LineNumber number{s.numerator, s.denominator};
       const TableLine* line = row.find(channel, number);
-      return line != nullptr && std::abs(line->amplitude) >
-                                    measure_thresholds().trivial_branch_sd * row.sd_of(channel, number).value_or(0);
+      return line != nullptr &&
+             std::abs(line->amplitude) > least_amplitude_sd() * row.sd_of(channel, number).value_or(0);
     });
     if (there) seen.push_back(s);
   }
@@ -81,21 +82,19 @@ std::vector<Subharmonic> seen_subharmonics(const Campaign& campaign, const Recor
   std::vector<double> frequencies;
   for (const Subharmonic& s : looked_for) frequencies.push_back(excitation * s.numerator / s.denominator);
   for (const int n : {1, 2, 3})
-    if (n * excitation < 0.5 * two_pi * record.sample_rate_hz - 2 * resolution)
+    if (n * excitation < 0.5 * two_pi * record.sample_rate_hz - bins_between_tones * resolution)
       frequencies.push_back(n * excitation);
   std::vector<double> sorted = frequencies;
   std::sort(sorted.begin(), sorted.end());
   double apart = sorted.front();
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i) apart = std::min(apart, sorted[i + 1] - sorted[i]);
-  if (responses.empty() || apart < 2 * resolution) return {};
+  if (responses.empty() || apart < bins_between_tones * resolution) return {};
   const KnownFrequencyFit fit = known_frequency_components(samples_of(record, responses, range.first, count),
                                                            record.sample_rate_hz, frequencies, true);
   std::vector<Subharmonic> seen;
   for (std::size_t s = 0; s < looked_for.size(); ++s) {
     const auto row = static_cast<Index>(s);
-    if ((fit.amplitude.row(row).array().abs() >
-         measure_thresholds().trivial_branch_sd * fit.amplitude_sd.row(row).array())
-            .any())
+    if ((fit.amplitude.row(row).array().abs() > least_amplitude_sd() * fit.amplitude_sd.row(row).array()).any())
       seen.push_back(looked_for[s]);
   }
   return seen;

@@ -95,7 +95,7 @@ class Search {
     }
     for (const double line : lines_) {
       found.which.push_back(std::any_of(w.begin(), w.end(), [&](double own) {
-        return std::abs(line - own) < measure_thresholds().decay_search_range * own;
+        return std::abs(line - own) < measure_thresholds().largest_detuning * own;
       }));
       if (found.which.back()) found.explained += decays_.records;
     }

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "estimator/model/zero_frequency.hpp"
-#include "measure/thresholds.hpp"
+#include "measure/signal/tone_separation.hpp"
 
 namespace secular {
 namespace {
@@ -75,9 +75,11 @@ RelatedTone ResponseTones::sum_of(const std::vector<int>& multiples) const {
 // Its index: that of a tone within half a bin, or its own, where it is `apart` bins from every other.
 std::ptrdiff_t ResponseTones::take(const RelatedTone& tone, double apart) {
   const double f = tone.at(setting_.free), resolution = setting_.resolution;
-  if (f < 2 * resolution || f > setting_.nyquist - 2 * resolution || !window_.passes(f)) return -1;
+  if (f < bins_between_tones * resolution || f > setting_.nyquist - bins_between_tones * resolution ||
+      !window_.passes(f))
+    return -1;
   for (std::size_t i = 0; i < tones_.size(); ++i)
-    if (std::abs(tones_[i].at(setting_.free) - f) < 0.5 * resolution) return static_cast<std::ptrdiff_t>(i);
+    if (std::abs(tones_[i].at(setting_.free) - f) < half_a_bin * resolution) return static_cast<std::ptrdiff_t>(i);
   for (const RelatedTone& other : tones_)
     if (std::abs(other.at(setting_.free) - f) < apart * resolution) return -1;
   tones_.push_back(tone);
@@ -107,7 +109,7 @@ void ResponseTones::take_blocks(const CompiledCase& resonance) {
     for (std::size_t b = 0; b < resonance.blocks.size(); ++b) {
       const RegressorBlock& block = resonance.blocks[b];
       if (block.kind == BlockKind::harmonic && !is_zero_frequency(block) && (block.order <= 1) == (order == 1))
-        block_index_[b] = take(tone[b], order == 1 ? 0 : measure_thresholds().separate_tone_bins);
+        block_index_[b] = take(tone[b], order == 1 ? 0 : bins_between_tones);
     }
 }
 
@@ -115,7 +117,7 @@ void ResponseTones::take_combinations(const ModeFrequencies& modes) {
   std::vector<bool> there = modes.oscillates;
   there.resize(of_mode_.size() + setting_.excitation.size(), true);
   for (const std::vector<int>& multiples : multiples_up_to(combination_order, there))
-    take(sum_of(multiples), measure_thresholds().separate_tone_bins);
+    take(sum_of(multiples), bins_between_tones);
 }
 
 }  // namespace secular

@@ -6,6 +6,7 @@
 
 #include "measure/signal/circular_hyperbolic.hpp"
 #include "measure/signal/tone_fit.hpp"
+#include "measure/signal/tone_separation.hpp"
 #include "measure/thresholds.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/median.hpp"
@@ -68,9 +69,12 @@ double decomposed_frequency(const Eigen::Ref<const VectorXd>& samples, double ra
   reduced.array() -= reduced.mean();
   const CircularHyperbolicFit fit =
       circular_hyperbolic_decomposition(reduced, rate / static_cast<double>(block), order);
+  // As near as what counts as near, or as the samples resolve: crossings in two turns tell no more than half a bin.
+  const double bin = two_pi * rate / static_cast<double>(samples.size()) / expected;
+  const double reach = std::max(measure_thresholds().largest_detuning, half_a_bin * bin);
   double best = expected, largest = 0;
   const auto consider = [&](double frequency, double power) {
-    if (std::abs(frequency / expected - 1) > measure_thresholds().tone_reach || power <= largest) return;
+    if (std::abs(frequency / expected - 1) > reach || power <= largest) return;
     largest = power;
     best = frequency;
   };

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "measure/thresholds.hpp"
+
 namespace secular {
 namespace {
 
@@ -238,6 +240,10 @@ KnownFrequencyFit known_frequency_components(const Eigen::Ref<const MatrixXd>& c
     }
   }
   return fit;
+}
+
+double least_amplitude_sd() {
+  return std::sqrt(-2 * std::log(measure_thresholds().motion_false_alarm));
 }
 
 }  // namespace secular

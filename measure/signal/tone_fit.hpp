@@ -37,6 +37,10 @@ struct ToneFit {
 ToneFit fit_harmonic_tone(const Eigen::Ref<const Eigen::MatrixXd>& channels, double sample_rate_hz,
                           double frequency, const ToneOptions& options);
 
+/// Of a complex amplitude that stands out of the noise, over the standard deviation of its real part: Rayleigh's
+/// law exceeds it with `measure_thresholds().motion_false_alarm`.
+double least_amplitude_sd();
+
 /// Complex half-amplitudes at imposed frequencies.
 struct KnownFrequencyFit {
   Eigen::MatrixXcd amplitude;    ///< [frequency][channel], phase at the window's centre

@@ -55,9 +55,9 @@ TEST(RecordedSpan, EndsWhereOneValueIsRepeatedThatTheMotionCannotRestAt) {
                                   << to_string(quantity) << ", beside it " << x[left - 1];
       }
   };
-  for (const std::size_t beside : {16u, 32u, 64u}) {
+  for (const std::size_t beside : {32u, 64u, 128u}) {
     testing_support::ChangedThresholds<MeasureThresholds> thresholds;
-    thresholds->beside_unrecorded = beside;
+    thresholds->local_samples = beside;
     for (const Quantity quantity : {Quantity::displacement, Quantity::velocity, Quantity::acceleration})
       for (const double noise : {1e-3, 0.05})
         for (const double step : {0.0, 1e-4, 2e-4}) check(quantity, noise, step);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "gaussian.hpp"
+#include "measure/signal/tone_separation.hpp"
 
 namespace secular {
 namespace {
@@ -106,6 +107,33 @@ TEST(TonesOfSlowAmplitude, WeightsAreTheFit) {
 
 TEST(TonesOfSlowAmplitude, TooFewSamplesAreRefused) {
   EXPECT_THROW(fit_slow_tones(MatrixXd::Zero(7, 1), rate, {first}, 2, 0), std::invalid_argument);
+}
+
+// Variances of the amplitude's derivatives where another tone is so many bins away, or a constant, over those of a
+// tone that is far from all; the largest.
+double worse_by(double bins, int degree, bool from_constant) {
+  const Index count = 2000;
+  const double bin = 2 * std::numbers::pi * rate / static_cast<double>(count), far = 250 * bin;
+  const auto variances = [&](const std::vector<double>& frequencies) {
+    const SlowToneWeights weights = slow_tone_weights(count, rate, frequencies, degree, 0);
+    Eigen::VectorXd result(degree + 1);
+    for (int p = 0; p <= degree; ++p)
+      result(p) = weights.derivative[static_cast<std::size_t>(p)].row(0).squaredNorm();
+    return result;
+  };
+  const auto beside = from_constant ? std::vector<double>{bins * bin} : std::vector<double>{far, far + bins * bin};
+  return variances(beside).cwiseQuotient(variances({far})).maxCoeff();
+}
+
+// docs/inference.md (47): as many bins as unknowns, for the degrees that are in use.
+TEST(TonesOfSlowAmplitude, AreToldApartFromAsManyBinsOnAsTheyHaveUnknowns) {
+  const auto expect = [](int degree, double bins, bool from_constant) {
+    for (const double more : {0.0, 0.25, 0.5, 1.0, 2.0, 5.0})
+      EXPECT_LT(worse_by(bins + more, degree, from_constant), 1.5) << degree << ", " << bins + more;
+    EXPECT_GT(worse_by(bins - 1, degree, from_constant), 3) << degree;
+  };
+  for (const int degree : {1, 2}) expect(degree, bins_between(degree, degree), false);
+  expect(2, bins_between(2, 0), true);
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ bool both_respond(const std::vector<Observation>& ensembles) {
     double largest = 0;
     for (const Observation& o : ensembles)
       largest = std::max(largest, std::abs(o.amplitude[k]) / o.amplitude_sd[k]);
-    if (largest < measure_thresholds().trivial_branch_sd) return false;
+    if (largest < least_amplitude_sd()) return false;
   }
   return !ensembles.empty();
 }
