@@ -69,20 +69,22 @@ FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options,
       const SealedCampaign sealed = draw_campaign(plans[i], set.seed);
       const std::optional<FurtherDwell> proposal = proposal_of(diagnosis, sealed.specimen.dwells.size());
       ++sets;
-      if (proposal) ++proposed;
-      Random random(set.seed, 2'000'000 + plans[i].number);
-      const FurtherDwell compared = random_dwell(sealed.specimen, proposal ? proposal->length : 1, random);
-      for (const std::string which : follow_ups) {
-        const bool asked = which == std::string(follow_ups[0]);
-        const fs::path target = follow_up_folder(place, which);
-        if (!proposal || fs::exists(target / "diagnosis" / "diagnosis.json")) continue;
-        std::error_code ignored;
-        fs::remove_all(target, ignored);
-        make_folder(target);
-        write_extended_campaign(sealed, set.seed, asked ? *proposal : compared, place / "campaign",
-                                target / "campaign");
-        if (const std::optional<std::string> fault = diagnoser.run(place, target / "campaign", target))
-          failures.add(plans[i].number, which + ": " + *fault);
+      if (proposal) {
+        ++proposed;
+        Random random(set.seed, 2'000'000 + plans[i].number);
+        const FurtherDwell compared = random_dwell(sealed.specimen, proposal->length, random);
+        for (const std::string which : follow_ups) {
+          const bool asked = which == std::string(follow_ups[0]);
+          const fs::path target = follow_up_folder(place, which);
+          if (fs::exists(target / "diagnosis" / "diagnosis.json")) continue;
+          std::error_code ignored;
+          fs::remove_all(target, ignored);
+          make_folder(target);
+          write_extended_campaign(sealed, set.seed, asked ? *proposal : compared, place / "campaign",
+                                  target / "campaign");
+          if (const std::optional<std::string> fault = diagnoser.run(place, target / "campaign", target))
+            failures.add(plans[i].number, which + ": " + *fault);
+        }
       }
     }
     if (progress) progress(++done, plans.size());
