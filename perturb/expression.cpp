@@ -154,7 +154,9 @@ class Parser {
       std::string name = identifier_text();
       const FormulaFunction* function = find_function(name);
       if (next() != '(') {
-        if (function) fail_at(source_, at, "function " + name + " without argument", "write " + name + "(...)");
+        if (function)
+          fail_at(source_, at, "function " + name + " without argument",
+                  "write " + name + "(...); a symbol cannot have the name of a function");
         return Expression{Expression::Kind::symbol, at, std::move(name), {}};
       }
       if (!function) fail_at(source_, at, "unknown function " + name, "known are " + function_list());

@@ -98,6 +98,10 @@ void print_failed(const std::vector<blind::FailedCampaign>& campaigns) {
 }
 
 void follow(const BlindArguments& options) {
+  if (blind::options_of(options.folder).programme != blind::Programme::dwells) {
+    fmt::print("nothing to follow: the campaigns hold no dwells, and no other record is drawn anew\n");
+    return;
+  }
   ProgressLine line("proposals followed");
   const blind::FollowUpSummary summary = blind::follow_up_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });

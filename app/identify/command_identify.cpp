@@ -82,12 +82,12 @@ void print_not_separated(const Estimate& estimate) {
 void print_summary(const FullIdentification& run, const std::string& folder) {
   const report::PlainNumbers plain(prints_for_programs());
   const Identification& id = run.of;
-  const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
   fmt::print("model {}, by the full equations: {}; {} of the samples\n", id.model->name, records_in_words(run),
              report::format_percent(run.full.data_used));
-  fmt::print("fit of all records: off by {:.3g} times what the measurement repeats to (p = {:.2g}{})\n",
-             fit.misfit_ratio, fit.p_value, fit.significant ? ", the model does not hold" : ", nothing wrong");
   if (run.full.has_converged) {
+    const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
+    fmt::print("fit of all records: off by {:.3g} times what the measurement repeats to (p = {:.2g}{})\n",
+               fit.misfit_ratio, fit.p_value, fit.significant ? ", the model does not hold" : ", nothing wrong");
     fmt::print("parameters\n");
     for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
     print_not_separated(id.estimate);

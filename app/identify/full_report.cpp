@@ -50,14 +50,16 @@ Figure full_figure(const FullIdentification& run) {
 
 std::string full_report(const FullIdentification& run, const std::string& command) {
   const Identification& id = run.of;
-  const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
   report::HtmlReport page("Identification of " + std::string(id.model->name),
                           "Campaign " + id.campaign.name + ", by the full equations: " + records_in_words(run));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
   add_cards(page, id.estimate);
-  page.card({"Fit of all records", report::format_number(fit.misfit_ratio, 3) + " times repeatability",
-             fmt::format("p = {:.2g}{}", fit.p_value, fit.significant ? ", the model does not hold" : ""),
-             fit.significant ? report::Tone::caution : report::Tone::good});
+  if (run.full.has_converged) {
+    const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
+    page.card({"Fit of all records", report::format_number(fit.misfit_ratio, 3) + " times repeatability",
+               fmt::format("p = {:.2g}{}", fit.p_value, fit.significant ? ", the model does not hold" : ""),
+               fit.significant ? report::Tone::caution : report::Tone::good});
+  }
   page.section("Parameters");
   page.paragraph(run.full.has_converged
                      ? "Parameters of the model, fitted to all records at once by its full equations of motion: "

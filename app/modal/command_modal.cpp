@@ -87,7 +87,10 @@ void print_summary(const ModalSurvey& survey, const ModalArguments& options) {
     fmt::print("\n");
     if (mode.amplitude) print_amplitude(*mode.amplitude, survey.unit);
   }
-  if (!survey.tones.empty()) fmt::print("harmonics and combination tones, no modes:\n");
+  if (!survey.tones.empty())
+    fmt::print(
+        "not counted as modes, at harmonics or combinations of modes (a mode of the same damping ratio there "
+        "would look like it; four blows of different strength tell):\n");
   for (const SurveyTone& tone : survey.tones)
     fmt::print("       {:>16} Hz  {}\n",
                report::format_uncertain(tone.found.natural_frequency_hz, tone.found.natural_frequency_sd_hz),

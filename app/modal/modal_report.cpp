@@ -166,7 +166,10 @@ Figure response_figure(const ModalSurvey& survey, const SurveyReference& referen
 void add_tones(report::HtmlReport& page, const ModalSurvey& survey) {
   if (survey.tones.empty()) return;
   Table table;
-  table.caption = "Harmonics and combination tones: of a vibration that is not linear, no modes";
+  table.caption =
+      "Harmonics and combinations of modes, not counted as modes. A mode of the same damping ratio at that "
+      "frequency "
+      "would look like one of them; four blows of different strength tell them apart";
   table.columns = {{"Frequency", Column::Kind::number, "Hz"},
                    {"Damping ratio", Column::Kind::number, "%"},
                    {"Is", Column::Kind::text, ""},

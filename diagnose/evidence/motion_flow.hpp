@@ -45,8 +45,16 @@ struct Motions<Lanes> {
 inline ExcitationSample interpolated(const DrivingSignal& signal, Eigen::Index row, double at) {
   const Eigen::MatrixXd& half_steps = signal.half_steps;
   const Eigen::Index last = half_steps.cols() - 1;
-  if (last < 4) return {half_steps(row, std::min(last, static_cast<Eigen::Index>(at + 0.5))), 0, 0};
+  if (last < 2) return {half_steps(row, 0), 0, 0};
   const double per_s = 2 / signal.sample_s;
+  if (last < 4) {  // by a parabola
+    const auto middle = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at + 0.5), 1, last - 1);
+    const double before = half_steps(row, middle - 1), here = half_steps(row, middle),
+                 after = half_steps(row, middle + 1);
+    const double x = at - static_cast<double>(middle), slope = 0.5 * (after - before),
+                 bend = after - 2 * here + before;
+    return {here + slope * x + 0.5 * bend * x * x, (slope + bend * x) * per_s, bend * per_s * per_s};
+  }
   const auto middle = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at + 0.5), 2, last - 2);
   const double here = half_steps(row, middle);
   const double one = half_steps(row, middle + 1) - half_steps(row, middle - 1),

@@ -16,10 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Those of decays that are as long as the first one; none if they are too few, or of one record.
 // A transform has as many numbers as the square of this.
 constexpr Index most_cosines = 4096;
 
+// Those of decays that are as long as the first one; none if they are too few, too long for a transform, or of one
+// record.
 std::vector<std::size_t> alike_segments(std::span<const FrozenSegment> segments) {
   std::vector<std::size_t> alike;
   for (std::size_t i = 0; i < segments.size(); ++i)

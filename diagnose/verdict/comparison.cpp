@@ -15,6 +15,7 @@
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/evidence/observe_conditions.hpp"
 #include "diagnose/evidence/unresolved_blows.hpp"
+#include "diagnose/verdict/start_values.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "input/input_error.hpp"
 #include "measure/data/false_alarm.hpp"
@@ -67,33 +68,6 @@ Index compared_samples(const std::vector<Condition>& conditions, const std::vect
   for (const Condition& condition : conditions) sum += condition.samples;
   for (const Segment& segment : segments) sum += segment.response.cols();
   return sum;
-}
-
-// What the records tell, where they do.
-double seen_frequency(const DiagnosisOptions& options, std::size_t mode) {
-  return mode < options.natural_frequency.size() ? options.natural_frequency[mode] : NAN;
-}
-
-VectorXd start_of(const CompiledModel& model, const FaultTable& faults, const DiagnosisOptions& options) {
-  const GivenNumbers& given = options.given;
-  VectorXd start = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
-  for (std::size_t s = 0; s < model.symbols.size(); ++s) {
-    const double nominal = s < model.nominal.size() ? model.nominal[s] : NAN;
-    if (std::isfinite(nominal)) start(static_cast<Index>(s)) = nominal;
-    if (std::isfinite(seen_frequency(options, s))) start(static_cast<Index>(s)) = seen_frequency(options, s);
-    for (const auto* numbers : {&options.start, &given.values})
-      if (const auto found = numbers->find(std::string(model.symbols[s].name)); found != numbers->end())
-        start(static_cast<Index>(s)) = found->second;
-  }
-  for (std::size_t k = 0; k < model.modes(); ++k)
-    if (!(start(static_cast<Index>(k)) > 0))
-      throw InputError(
-          std::string(model.name), "[nominal]",
-          "gives no natural frequency above zero, and the records tell none, " + std::string(model.symbols[k].name),
-          "a rough one tells which resonance a record excites: give it there");
-  start(static_cast<Index>(model.symbols.size() + faults.extra_frequency())) = start(0);
-  start(static_cast<Index>(model.symbols.size() + faults.extra_damping())) = 0.01;
-  return start;
 }
 
 std::vector<double> natural_frequencies(const CompiledModel& model, const DiagnosisOptions& options,
@@ -237,7 +211,7 @@ Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffe
                     .sensors = sensors,
                     .faults = faults,
                     .nuisances = offsets_of_derivatives(model, sensors, faults, options.wandering),
-                    .start = start_of(model, faults, options),
+                    .start = start_values(model, faults, options, sides.own),
                     .conditions = {},
                     .candidates = {},
                     .discrepancy = {},

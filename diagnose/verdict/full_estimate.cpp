@@ -16,6 +16,7 @@
 #include "diagnose/verdict/foreign_search.hpp"
 #include "diagnose/verdict/told_disturbances.hpp"
 #include "estimator/identification/value_errors.hpp"
+#include "input/input_error.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -70,11 +71,17 @@ Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& opti
                      const std::vector<std::map<std::string, double>>& starts,
                      const std::vector<Disturbance>& found) {
   std::optional<Attempt> best;
+  std::optional<InputError> refused;  // a start that says too little; another one may say it
   for (const auto& start : starts) {
-    Attempt next = attempt(sides, options, start, found);
-    if (!best || is_better(next, *best)) best = std::move(next);
-    if (best->suffices()) break;
+    try {
+      Attempt next = attempt(sides, options, start, found);
+      if (!best || is_better(next, *best)) best = std::move(next);
+    } catch (const InputError& error) {
+      refused = error;
+    }
+    if (best && best->suffices()) break;
   }
+  if (!best) throw *refused;
   return std::move(*best);
 }
 
@@ -363,7 +370,9 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   result.disturbances = disturbances_of(best, sides);
   take_parameters(result.estimate, best, sides, gap.detected);
   if (result.has_converged) take_directions(result.estimate, best, sides.model);
-  result.estimate.lack_of_fit = {{"", {lack_of_all_rows(best.left, gap, result.conditions)}}};
+  // Where a fit has not come to an end, what it leaves says nothing of the model.
+  if (result.has_converged)
+    result.estimate.lack_of_fit = {{"", {lack_of_all_rows(best.left, gap, result.conditions)}}};
   result.estimate.warnings = warnings_of(best, gap, result.conditions, sides.campaign);
   if (keeps_segments) result.estimate.warnings.push_back(why_segments_stay(*whole));
   return result;
