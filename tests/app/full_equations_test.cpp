@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <sstream>
 #include <string>
@@ -246,6 +247,24 @@ TEST_F(SlowFullEquations, IntervalsHoldTheTruth) {
   EXPECT_GT(share, 0.95 - 2.6 * std::sqrt(0.95 * 0.05 / draws));
   // At the level of a gap two of 24 are a matter of 0.2 %.
   EXPECT_LE(alarms, 1);
+}
+
+// d of a law of v/d at zero: the law is that of a step there, whatever d is. With a rough d the same fit goes on.
+TEST_F(FullEquations, ASymbolThatNoFitCanBeginWithAtZeroIsAskedFor) {
+  ASSERT_NO_FATAL_FAILURE(simulate(three_blows));
+  write_model("saturating.toml", "", " - k*tanh(v/d)");
+  std::ifstream in(folder_ / "saturating.toml");
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  text.replace(text.find(", alpha3 = 2"), 12, "");
+  std::ofstream(folder_ / "saturating.toml") << text;
+  EXPECT_EQ(
+      run("identify " + path("campaign") + " --model " + path("saturating.toml") + " --force -o " + path("out")),
+      2);
+  EXPECT_NE(printed().find("no start for d:"), std::string::npos) << printed();
+  std::ofstream(folder_ / "saturating.toml") << text << "k = 1.0\nd = 0.01\n";
+  EXPECT_NE(
+      run("identify " + path("campaign") + " --model " + path("saturating.toml") + " --force -o " + path("out")), 2)
+      << printed();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "blind/follow_up.hpp"
 #include "blind/leave_out.hpp"
 #include "blind/score_set.hpp"
 #include "blind/sealed_files.hpp"
@@ -114,6 +115,20 @@ TEST_F(BlindRun, AnUnsealedSetIsRefused) {
 TEST_F(BlindRun, AProgramWithoutDiagnoseIsRefused) {
   write_text(program, "#!/bin/sh\necho usage\n");
   EXPECT_THROW(run_set(folder, {.program = program}, {}), InputError);
+}
+
+// A verdict that leaves a set of a campaign without dwells: no dwell is proposed, and none is drawn by lot.
+TEST_F(BlindRun, NothingIsFollowedWhereThereAreNoDwells) {
+  write_text(
+      folder / "set.json",
+      R"({"schema": 1, "seed": 86, "set": "short", "cases": 3, "nothing_withheld": true, "records": "decays"})");
+  fs::create_directories(sealed_folder(folder, 1) / "diagnosis");
+  write_text(sealed_folder(folder, 1) / "diagnosis" / "diagnosis.json",
+             R"({"verdict": "set", "next_experiment": {"proposed": true, "like": "records/0001.csv"}})");
+  const FollowUpSummary summary = follow_up_set(folder, {.program = program, .threads = 1, .limit_s = 20}, {});
+  EXPECT_EQ(summary.sets, 1u);
+  EXPECT_EQ(summary.proposed, 0u);
+  EXPECT_FALSE(fs::exists(folder / "calls"));
 }
 
 }  // namespace
