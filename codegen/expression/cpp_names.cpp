@@ -66,25 +66,24 @@ void require_identifier(const std::string& name) {
   if (!valid) throw std::logic_error("'" + name + "' reached the code generator without being an identifier");
 }
 
+// Those that generated code calls (estimator/model/scalar_functions.hpp).
+bool is_scalar_function(const std::string& name) {
+  static const std::set<std::string> functions = {"sin_of",  "cos_of",  "tan_of", "exp_of",  "sinh_of",
+                                                  "cosh_of", "tanh_of", "log_of", "atan_of", "power_of"};
+  return functions.contains(name);
+}
+
 std::string mangled(const std::string& name, bool clashes) {
   require_identifier(name);
-  return clashes || is_keyword(name) || is_odd(name) || looks_like_a_macro(name) ? "s_" + name + "_s" : name;
+  return clashes || is_scalar_function(name) || is_keyword(name) || is_odd(name) || looks_like_a_macro(name)
+             ? "s_" + name + "_s"
+             : name;
 }
 
 }  // namespace
 
 std::string safe_identifier(const std::string& symbol) {
   static const std::set<std::string> locals = {"parameters",
-                                               "sin_of",
-                                               "cos_of",
-                                               "tan_of",
-                                               "exp_of",
-                                               "sinh_of",
-                                               "cosh_of",
-                                               "tanh_of",
-                                               "log_of",
-                                               "atan_of",
-                                               "power_of",
                                                "gradient",
                                                "lump",
                                                "denominator",
@@ -148,16 +147,6 @@ std::string safe_identifier(const std::string& symbol) {
 
 std::string safe_namespace(const std::string& name) {
   static const std::set<std::string> tables = {"model",
-                                               "sin_of",
-                                               "cos_of",
-                                               "tan_of",
-                                               "exp_of",
-                                               "sinh_of",
-                                               "cosh_of",
-                                               "tanh_of",
-                                               "log_of",
-                                               "atan_of",
-                                               "power_of",
                                                "cases",
                                                "symbols",
                                                "nominal",

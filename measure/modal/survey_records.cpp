@@ -93,42 +93,15 @@ bool goes_on(const Eigen::Ref<const Eigen::VectorXd>& motion, double level) {
   return swings_beyond(motion, level) >= 4 && (steady || rises);
 }
 
-// Rows of those 64ths of a record that hold half the energy of the fullest or more, and of their neighbours: where
-// the motion is at its largest, though late noise alone may reach beyond it.
-std::vector<bool> full_rows(const MatrixXd& motion) {
-  const Index rows = motion.rows(), block = std::max<Index>(1, rows / 64), blocks = (rows + block - 1) / block;
-  Eigen::VectorXd energy(blocks);
-  for (Index b = 0; b < blocks; ++b)
-    energy(b) = motion.middleRows(b * block, std::min(block, rows - b * block)).squaredNorm();
-  const double half = 0.5 * energy.maxCoeff();
-  std::vector<bool> full(static_cast<std::size_t>(rows), false);
-  for (Index b = 0; b < blocks; ++b)
-    if (energy(b) >= half)
-      for (Index i = std::max<Index>(0, (b - 1) * block); i < std::min(rows, (b + 2) * block); ++i)
-        full[static_cast<std::size_t>(i)] = true;
-  return full;
-}
-
 // After the last row within 1 % of the largest excursion, and after a blow the time that the hammer stays. Where
 // the motion grew up to that row and does not swing as often behind it, that growth is what the record shows.
 FreeRows free_rows(const MatrixXd& responses, bool struck, double rate) {
   Index row = 0, channel = 0;
   const Eigen::RowVectorXd rest = responses.bottomRows(responses.rows() / 4).colwise().mean();
   const MatrixXd motion = responses.rowwise() - rest;
-  const std::vector<bool> full = full_rows(motion);
-  const auto is_full = [&](Index i) { return full[static_cast<std::size_t>(i)]; };
-  double largest = -1;
-  for (Index i = 0; i < motion.rows(); ++i) {
-    Index at = 0;
-    const double excursion = is_full(i) ? motion.row(i).cwiseAbs().maxCoeff(&at) : -1;
-    if (excursion > largest) {
-      largest = excursion;
-      row = i;
-      channel = at;
-    }
-  }
+  const double largest = motion.cwiseAbs().maxCoeff(&row, &channel);
   for (Index i = row; i < responses.rows(); ++i)
-    if (is_full(i) && std::abs(motion(i, channel)) >= 0.99 * largest) row = i;
+    if (std::abs(motion(i, channel)) >= 0.99 * largest) row = i;
   const Eigen::VectorXd seen = motion.col(channel);
   // A tenth of the largest excursion: a decay with 5 % damping swings 14 times from one to the other.
   const double level = 0.1 * largest;
