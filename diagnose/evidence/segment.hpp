@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnose/evidence/foreign_content.hpp"
-#include "diagnose/evidence/segment_motion.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
 #include "diagnose/evidence/wandering_zeros.hpp"
 #include "measure/observe/observation_set.hpp"

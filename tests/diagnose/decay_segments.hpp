@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "diagnose/evidence/segment.hpp"
-#include "diagnose/evidence/segment_motion.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 #include "tests/diagnose/laboratory.hpp"
 
 namespace secular::testing_support {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "diagnose/evidence/segment.hpp"
-#include "diagnose/evidence/segment_motion.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 #include "tests/diagnose/laboratory.hpp"
 #include "tests/signal/gaussian.hpp"
 

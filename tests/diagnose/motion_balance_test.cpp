@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnose/evidence/segment_motion.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 #include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 

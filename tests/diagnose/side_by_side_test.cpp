@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "diagnose/evidence/segment_motion.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 #include "effects/force_law.hpp"
 #include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "diagnose/evidence/motion_flow.hpp"
+#include "motion/integrate/motion_flow.hpp"
 
 namespace secular {
 

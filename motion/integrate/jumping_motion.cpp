@@ -1,4 +1,4 @@
-#include "diagnose/evidence/jumping_motion.hpp"
+#include "motion/integrate/jumping_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

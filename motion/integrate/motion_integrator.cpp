@@ -1,12 +1,12 @@
-#include "diagnose/evidence/segment_motion.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "diagnose/evidence/jumping_motion.hpp"
-#include "diagnose/evidence/motion_flow.hpp"
-#include "diagnose/evidence/runge_kutta.hpp"
+#include "motion/integrate/jumping_motion.hpp"
+#include "motion/integrate/motion_flow.hpp"
+#include "motion/integrate/runge_kutta.hpp"
 
 namespace secular {
 

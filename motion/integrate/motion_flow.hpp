@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/evidence/segment_motion.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 
 namespace secular {
 
@@ -86,6 +86,7 @@ class MotionFlow {
         parameters_(model.symbols.size()),
         excitation_(model.excitations.size()),
         driven_(std::min(static_cast<std::size_t>(starts.front().signal->half_steps.rows()), excitation_.size())) {
+    driven_at_.fill(-1);
     for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
       const MotionStart& start = starts[m < starts.size() ? m : 0];
       signals_[m] = start.signal.get();
@@ -111,10 +112,17 @@ class MotionFlow {
     return state;
   }
 
-  /// Sets what drives; time in half steps of the samples, that of all motions or of each.
+  /// Sets what drives; time in half steps of the samples, that of all motions or of each. Stages of a step are often
+  /// where the one before was.
   template <class Time>
   void drive(const Time& at) {
     const auto of = [&](std::size_t motion) { return Motions<Time>::of(at, motion); };
+    bool is_driven = true;
+    for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
+      is_driven = is_driven && driven_at_[m] == of(m);
+      driven_at_[m] = of(m);
+    }
+    if (is_driven) return;
     for (std::size_t j = 0; j < driven_; ++j) {
       ExcitationSample own = interpolated(*signals_[0], static_cast<Eigen::Index>(j), of(0));
       excitation_[j] = {Number(own.value), Number(own.first_derivative), Number(own.second_derivative)};
@@ -323,6 +331,7 @@ class MotionFlow {
   std::vector<typename Motions<Number>::Parameter> parameters_;
   std::vector<typename Motions<Number>::Sample> excitation_;  // zero where neither the signal nor a force drives
   std::size_t driven_;
+  std::array<double, Motions<Number>::count> driven_at_{};  // times; before 0: not yet
   std::vector<Number> stiffness_, damping_;  // of LinearChange
   bool has_side_ = false;
   Number side_frequency_ = Number(1.0), side_damping_ = Number(0.0);

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/evidence/runge_kutta.hpp"
+#include "motion/integrate/runge_kutta.hpp"
 
 namespace secular {
 
