@@ -6,7 +6,8 @@ set(secular_libraries secular_effects secular_input secular_dense secular_numeri
   secular_codegen_runtime secular_measure_formats secular_measure_data secular_measure_signal
   secular_measure_disturbances secular_measure_modal secular_measure_observe
   secular_estimator_model secular_estimator_regression secular_estimator_identification secular_estimator_planning
-  secular_motion_response secular_motion_balance secular_motion_simulate secular_motion_correction
+  secular_motion_response secular_motion_balance secular_motion_integrate secular_motion_simulate
+  secular_motion_correction
   secular_thesis_verify secular_thesis_procedures)
 
 # Several folders by one name, for who does not want to choose among them.
@@ -21,7 +22,7 @@ secular_component(estimator secular_numerics secular_measure_formats secular_mea
   secular_measure_disturbances secular_measure_modal secular_measure_observe secular_estimator_model
   secular_estimator_regression secular_estimator_identification
   secular_estimator_planning secular_motion_response secular_thesis_procedures)
-secular_component(simulate secular_motion_balance secular_motion_simulate secular_motion_correction)
+secular_component(simulate secular_motion_balance secular_motion_integrate secular_motion_simulate secular_motion_correction)
 secular_component(verify secular_thesis_verify)
 
 foreach(library IN LISTS secular_libraries)

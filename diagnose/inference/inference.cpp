@@ -45,6 +45,7 @@ void descend(ExplanationSearch& search) {
       search.freeze_at_level(best.fit.unknowns);
       add_pairs(search);
       paired = true;
+      if (found.empty()) return;
       search.fitter.freeze(found.front().fit.unknowns, finer);
     } else {
       best.fit = std::move(fit);

@@ -56,8 +56,9 @@ class Pairs {
   // The two that act together need not be the best alone: partners of both members of the best pair, until it
   // stays.
   void exchange_members() {
-    for (int round = 0; round < most_exchanges && !found_.empty(); ++round) {
+    for (int round = 0; round < most_exchanges; ++round) {
       keep_best_of_each(found_, search_.candidates);
+      if (found_.empty()) return;
       const std::vector<std::size_t> best = found_.front().members;
       bool moved = false;
       for (const std::size_t member : best) {

@@ -127,6 +127,19 @@ TEST(PairFits, TwoThatActTogetherAreFoundAndNoneWhereOneIsEnough) {
   }
 }
 
+TEST(PairFits, WhereNoPairIsPossibleSinglesStay) {
+  std::vector<Candidate> candidates = tone_candidates();
+  for (Candidate& c : candidates)
+    c.plausible = [](const VectorXd& unknowns) { return (unknowns.tail(8).array() != 0).count() < 2; };
+  Discrepancy discrepancy = measured_signal(signal_of(1, {{2, 0.6}, {5, 0.4}}));
+  ExplanationSearch search(discrepancy, candidates, frequency_alone, usual, 9);
+  search.result.null = search.explain({}, signal_of(1));
+  fit_singles(search);
+  const std::set<Members> singles = fitted_members(search);
+  add_pairs(search);
+  EXPECT_EQ(fitted_members(search), singles);
+}
+
 TEST(PairFits, AnOpenLawHasNoPartner) {
   std::vector<Candidate> candidates = tone_candidates();
   candidates[5].open_law = true;
