@@ -20,6 +20,9 @@ using Eigen::VectorXd;
 /// Of two conditions the other one alone would have to predict one, and nothing says how far it can.
 constexpr std::size_t fewest_folds = 3;
 
+/// Folds are gathered into so many groups.
+constexpr int usual_groups = 8;
+
 constexpr int bootstrap_draws = 4000;
 constexpr int placebo_draws = 16;
 
@@ -100,7 +103,7 @@ VectorXd refit_to(const Discrepancy& discrepancy, const Refit& fit, const std::v
   return rows;
 }
 
-/// Sums over the rows of a fold.
+/// Sums over the rows of a fold: of squares, and of what these are expected to be of rows that repeat.
 struct FoldSums {
   double before = 0, after = 0, count = 0;
 
@@ -113,11 +116,13 @@ struct FoldSums {
 };
 
 std::vector<FoldSums> sums_of_folds(const VectorXd& before, const VectorXd& after,
-                                    const std::vector<RowLabel>& labels) {
+                                    const std::vector<RowLabel>& labels, const GapSpan& span = {}) {
+  const VectorXd squares_before = span.squares(before), squares_after = span.squares(after),
+                 shares = span.shares(before.size());
   std::map<int, FoldSums> by_fold;
   for (std::size_t r = 0; r < labels.size(); ++r) {
     const auto i = static_cast<Index>(r);
-    by_fold[labels[r].fold].add({before(i) * before(i), after(i) * after(i), 1});
+    by_fold[labels[r].fold].add({squares_before(i), squares_after(i), shares(i)});
   }
   std::vector<FoldSums> folds;
   for (const auto& [fold, sums] : by_fold) folds.push_back(sums);
@@ -125,7 +130,7 @@ std::vector<FoldSums> sums_of_folds(const VectorXd& before, const VectorXd& afte
 }
 
 double root_mean_square(double squares, double count) {
-  return std::sqrt(squares / std::max(1.0, count));
+  return count > 0 ? std::sqrt(std::max(0.0, squares) / count) : 0;
 }
 
 // Of folds that are drawn. By chance they hold no more than the floor: there all is closed that there is.
@@ -159,11 +164,10 @@ void take_interval(const std::vector<FoldSums>& folds, double floor, ClosedShare
 
 }  // namespace
 
-HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const std::vector<RowLabel>& labels,
-                         int groups) {
+HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const std::vector<RowLabel>& labels) {
   HeldOut result;
   result.rows = fit.rows;
-  for (const std::vector<Index>& held : groups_of_rows(labels, groups)) {
+  for (const std::vector<Index>& held : groups_of_rows(labels, usual_groups)) {
     result.possible = true;
     const VectorXd rows = refit_to(discrepancy, fit, all_but(held, fit.rows.size()));
     for (const Index r : held) result.rows(r) = rows(r);
@@ -172,8 +176,8 @@ HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const
 }
 
 std::optional<double> placebo_closed(const Refit& null, const VectorXd& signature,
-                                     const std::vector<RowLabel>& labels, double floor, int groups) {
-  const std::vector<std::vector<Index>> held = groups_of_rows(labels, groups);
+                                     const std::vector<RowLabel>& labels, double floor, const GapSpan& span) {
+  const std::vector<std::vector<Index>> held = groups_of_rows(labels, usual_groups);
   if (held.empty()) return std::nullopt;
   const VectorXd before = held_out_to_first_order(null.jacobian, null.rows, held);
   MatrixXd columns(null.rows.size(), null.jacobian.cols() + 1);
@@ -188,7 +192,7 @@ std::optional<double> placebo_closed(const Refit& null, const VectorXd& signatur
       const auto i = static_cast<Index>(r);
       columns(i, columns.cols() - 1) = sign.at(labels[r].fold) * signature(i);
     }
-    sum += closed_share(before, held_out_to_first_order(columns, null.rows, held), labels, floor).closed;
+    sum += closed_share(before, held_out_to_first_order(columns, null.rows, held), labels, floor, span).closed;
   }
   return sum / placebo_draws;
 }
@@ -204,15 +208,16 @@ bool repeats(const VectorXd& before, const VectorXd& after, const std::vector<Ro
 }
 
 ClosedShare closed_share(const VectorXd& before, const VectorXd& after, const std::vector<RowLabel>& labels,
-                         double floor) {
-  const std::vector<FoldSums> folds = sums_of_folds(before, after, labels);
+                         double floor, const GapSpan& span) {
+  const auto all = static_cast<double>(before.size());
+  ClosedShare result;
+  result.before = root_mean_square(before.squaredNorm(), all);
+  result.after = root_mean_square(after.squaredNorm(), all);
+  const std::vector<FoldSums> folds = sums_of_folds(before, after, labels, span);
   FoldSums total;
   for (const FoldSums& fold : folds) total.add(fold);
-  ClosedShare result;
-  result.before = root_mean_square(total.before, total.count);
-  result.after = root_mean_square(total.after, total.count);
-  const double room = result.before - floor;
-  result.closed = room > 0 ? std::clamp((result.before - result.after) / room, -1.0, 1.0) : 0.0;
+  const double b = root_mean_square(total.before, total.count), a = root_mean_square(total.after, total.count);
+  result.closed = b > floor ? std::clamp((b - a) / (b - floor), -1.0, 1.0) : 0.0;
   take_interval(folds, floor, result);
   return result;
 }

@@ -236,12 +236,15 @@ class OpenDiagnosis::Stages {
     }
     const Rival& best = contest.best();
     take_best(*best.explanation);
+    // What lies beside all that was fitted, where that is no more than noise, says nothing of the gap.
+    GapSpan span = span_of_gap(inference_.null.fit, inference_.explanations, given.value_or(VectorXd()));
+    if (span.holds_all_but_noise(best_->fit.rows)) gap.measure_in(std::move(span));
     const ClosedShare closing = gap.closed_by(*best_);
     take_share(closing, result_.gap);
     result_.rows_after = best_->fit.rows;
     if (!best_->members.empty())
       result_.gap.placebo_closed = placebo_closed(inference_.null.fit, best_->fit.rows - inference_.null.fit.rows,
-                                                  result_.labels, result_.gap.floor);
+                                                  result_.labels, result_.gap.floor, gap.span());
     const double there_was = judged_ ? judged_->rows.squaredNorm() : inference_.null.fit.chi_squared;
     result_.residual_structure = residual_structure_of(best_->fit, result_.labels, freedom(),
                                                        std::max(0.0, there_was - best_->fit.chi_squared));

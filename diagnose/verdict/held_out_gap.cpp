@@ -9,7 +9,7 @@ HeldOutGap::HeldOutGap(const Discrepancy& discrepancy, const std::vector<RowLabe
     : discrepancy_(discrepancy), labels_(labels), floor_(floor), before_(given ? *given : rows(null)) {}
 
 ClosedShare HeldOutGap::closed_by(const Explanation& explanation) {
-  return closed_share(before_, rows(explanation), labels_, floor_);
+  return closed_share(before_, rows(explanation), labels_, floor_, span_);
 }
 
 bool HeldOutGap::repeats_step(const Explanation& limit, const Explanation& explanation) {

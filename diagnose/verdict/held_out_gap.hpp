@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "diagnose/inference/held_out.hpp"
@@ -19,6 +20,10 @@ class HeldOutGap {
   HeldOutGap(const Discrepancy& discrepancy, const std::vector<RowLabel>& labels,
              const std::optional<Eigen::VectorXd>& given, const Explanation& null, double floor);
 
+  /// Shares are those of what lies in these directions from here on; before, of all.
+  void measure_in(GapSpan span) { span_ = std::move(span); }
+  const GapSpan& span() const { return span_; }
+
   ClosedShare closed_by(const Explanation& explanation);
   /// Of the gap as it is: none.
   ClosedShare unclosed() const { return closed_share(before_, before_, labels_, floor_); }
@@ -31,6 +36,7 @@ class HeldOutGap {
   const Discrepancy& discrepancy_;
   const std::vector<RowLabel>& labels_;
   double floor_;
+  GapSpan span_;
   std::map<const Explanation*, Eigen::VectorXd> predicted_;
   Eigen::VectorXd before_;
 };

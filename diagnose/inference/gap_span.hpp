@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/inference/explanation.hpp"
+
+namespace secular {
+
+/// Directions of the rows along which the model's numbers and the explanations that were fitted move them: a gap
+/// that any of them can close lies there (docs/inference.md, "Share that is closed").
+class GapSpan {
+ public:
+  /// All directions: every row counts as it is.
+  GapSpan() = default;
+  /// Of slopes and finite changes, rows x any number of columns.
+  explicit GapSpan(const Eigen::MatrixXd& columns);
+
+  /// By row: what it has of the squares in these directions (docs/inference.md (54)), and of their number. Sums over all rows are
+  /// those.
+  Eigen::VectorXd squares(const Eigen::VectorXd& rows) const;
+  Eigen::VectorXd shares(Eigen::Index rows) const;
+
+  /// Whether rows have no more than noise beside these directions, at the alarm level of structure.
+  bool holds_all_but_noise(const Eigen::VectorXd& rows) const;
+
+ private:
+  Eigen::MatrixXd basis_;  // orthonormal; empty: all directions
+};
+
+/// Of the model as it is, of every explanation by its members' unknowns and by what it changes in all, and of rows
+/// before the model's numbers were fitted (empty: there are none).
+GapSpan span_of_gap(const Refit& null, const std::vector<Explanation>& explanations,
+                    const Eigen::VectorXd& unfitted);
+
+}  // namespace secular
