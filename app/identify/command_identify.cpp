@@ -23,6 +23,7 @@
 #include "app/shared/left_out.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
+#include "app/shared/progress_line.hpp"
 #include "app/shared/record_selection.hpp"
 #include "app/shared/scatter_output.hpp"
 #include "input/input_error.hpp"
@@ -173,7 +174,9 @@ Equations equations_of(const IdentifyArguments& options) {
 
 // The exit status.
 int run_full(const IdentifyArguments& options, const std::string& command) {
-  const FullIdentification run = identify_by_full_equations(options.request);
+  ProgressLine line("fits (about)");
+  const FullIdentification run = identify_by_full_equations(
+      options.request, [&line](std::size_t done, std::size_t expected) { line(done, expected); });
   const std::string json = estimate_json(run), html = full_report(run, command);
   const std::string figure = report::render_figure(full_figure(run), "response", report::FigureUse::standalone).svg;
   options.output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});

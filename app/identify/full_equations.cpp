@@ -76,7 +76,8 @@ Equations equations_for(const Campaign& campaign, const Window& window) {
   return any ? Equations::full : Equations::modulation;
 }
 
-FullIdentification identify_by_full_equations(const IdentificationRequest& request) {
+FullIdentification identify_by_full_equations(const IdentificationRequest& request,
+                                              const SearchProgress& progress) {
   FullIdentification run;
   Identification& id = run.of;
   const ModelSource source(request.model, request.interpret);
@@ -101,7 +102,7 @@ FullIdentification identify_by_full_equations(const IdentificationRequest& reque
   }
   begins.push_back({});
   const CampaignAndModel sides{id.campaign, read, *id.model, fitted_symbols(*id.model, request.fixed)};
-  run.full = estimate_by_full_equations(sides, options, begins, std::move(found));
+  run.full = estimate_by_full_equations(sides, options, begins, std::move(found), progress);
   id.estimate = std::move(run.full.estimate);
   id.disturbances = std::move(run.full.disturbances);
   for (const auto& warnings : {starts.warnings, reader.warnings()})

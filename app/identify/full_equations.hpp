@@ -27,8 +27,10 @@ struct FullIdentification {
 
 /// Fits the model to all records of the window by its full equations of motion. Where dwells or free decays are
 /// among them, the estimate by the modulation equations of these is the start; nominal values and natural
-/// frequencies found in the records are where there is none, or where that leads nowhere. Throws InputError.
-FullIdentification identify_by_full_equations(const IdentificationRequest& request);
+/// frequencies found in the records are where there is none, or where that leads nowhere. `progress`: see
+/// estimate_by_full_equations(). Throws InputError.
+FullIdentification identify_by_full_equations(const IdentificationRequest& request,
+                                              const SearchProgress& progress = {});
 
 /// "3 sweeps, 2 dwells": records by kind, in the order of their number.
 std::string records_in_words(const FullIdentification& run);

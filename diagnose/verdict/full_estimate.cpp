@@ -29,6 +29,33 @@ using Eigen::VectorXd;
 /// Samples of a stretch that is shown.
 constexpr Index most_shown = 400;
 
+// How many fits there have been, of about how many.
+class FitCount {
+ public:
+  explicit FitCount(SearchProgress progress) : progress_(std::move(progress)) {}
+
+  void expect(std::size_t more) {
+    expected_ = done_ + more;
+    report(expected_);
+  }
+  void add() {
+    ++done_;
+    report(std::max(done_ + 1, expected_));
+  }
+  void end() const { report(done_); }
+
+ private:
+  void report(std::size_t of) const {
+    if (progress_) progress_(done_, of);
+  }
+
+  SearchProgress progress_;
+  std::size_t done_ = 0, expected_ = 0;
+};
+
+/// Of a campaign that the model fits: from a start that is near, and once more with decays in one piece.
+constexpr std::size_t usual_fits = 12, usual_fits_in_one_piece = 3;
+
 // A fit from one start.
 struct Attempt {
   FittedAlone fitted;
@@ -40,7 +67,8 @@ struct Attempt {
 };
 
 Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const std::map<std::string, double>& start,
-                const std::vector<Disturbance>& found) {
+                const std::vector<Disturbance>& found, FitCount& count) {
+  count.expect(usual_fits);
   ForeignContent foreign{found, {}, {}};
   for (const auto& [name, value] : start) options.start.emplace(name, value);
   allow_for(foreign, sides.campaign, options);
@@ -49,6 +77,7 @@ Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const s
   if (is_more_than_noise(left.left)) {
     std::optional<FittedAlone> beside;
     const auto fit_beside = [&] {
+      count.expect(usual_fits);
       beside = fitted_alone(sides, options);
       return left_by(*beside, sides, options);
     };
@@ -57,7 +86,7 @@ Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const s
   }
   Discrepancy& discrepancy = fitted.comparison.discrepancy;
   Refit& fit = fitted.inference.null.fit;
-  fit = bring_to_rest(discrepancy, std::move(fit), options.threads);
+  fit = bring_to_rest(discrepancy, std::move(fit), options_of_fit(options));
   const RowsLeft at_rest{fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank)};
   return {std::move(fitted), std::move(options), std::move(foreign), at_rest};
 }
@@ -69,12 +98,12 @@ bool is_better(const Attempt& one, const Attempt& other) {
 
 Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& options,
                      const std::vector<std::map<std::string, double>>& starts,
-                     const std::vector<Disturbance>& found) {
+                     const std::vector<Disturbance>& found, FitCount& count) {
   std::optional<Attempt> best;
   std::optional<InputError> refused;  // a start that says too little; another one may say it
   for (const auto& start : starts) {
     try {
-      Attempt next = attempt(sides, options, start, found);
+      Attempt next = attempt(sides, options, start, found, count);
       if (!best || is_better(next, *best)) best = std::move(next);
     } catch (const InputError& error) {
       refused = error;
@@ -95,18 +124,19 @@ bool has_segments_of_decays(const Comparison& comparison, const Campaign& campai
 // From a fit in which segments of decays have states of their own, the same with one state a decay
 // (docs/inference.md, decays in one piece). Not where something stands beside the motion: mains and zeros keep
 // their course over a segment only.
-std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides) {
+std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides, FitCount& count) {
   DiagnosisOptions options = segments.options;
   const bool has_tones = std::any_of(options.tones.begin(), options.tones.end(),
                                      [](const auto& of_record) { return !of_record.second.empty(); });
   if (!segments.has_converged() || has_tones || !options.wandering.empty() || !options.coloured.empty() ||
       !has_segments_of_decays(segments.fitted.comparison, sides.campaign))
     return {};
+  count.expect(usual_fits_in_one_piece);
   options.whole_decays = true;
   FittedAlone fitted{compare(sides, {}, options), segments.fitted.inference, segments.fitted.late};
   Refit& fit = fitted.inference.null.fit;
   Discrepancy& discrepancy = fitted.comparison.discrepancy;
-  fit = bring_to_rest(discrepancy, std::move(fit), options.threads);
+  fit = bring_to_rest(discrepancy, std::move(fit), options_of_fit(options));
   const RowsLeft left{fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank)};
   fitted.inference.degrees_of_freedom = left.freedom;
   return Attempt{std::move(fitted), std::move(options), segments.foreign, left};
@@ -352,9 +382,13 @@ std::vector<Disturbance> disturbances_of(const Attempt& best, const CampaignAndM
 
 FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const DiagnosisOptions& options,
                                         const std::vector<std::map<std::string, double>>& starts,
-                                        std::vector<Disturbance> found) {
-  Attempt best = best_attempt(sides, options, starts, found);
-  std::optional<Attempt> whole = in_one_piece(best, sides);
+                                        std::vector<Disturbance> found, const SearchProgress& progress) {
+  FitCount count(progress);
+  DiagnosisOptions counted = options;
+  counted.after_own_fit = [&] { count.add(); };
+  Attempt best = best_attempt(sides, counted, starts, found, count);
+  std::optional<Attempt> whole = in_one_piece(best, sides, count);
+  count.end();
   const bool keeps_segments = whole && !does_as_well(*whole, best);
   if (whole && !keeps_segments) best = std::move(*whole);
   const Comparison& comparison = best.fitted.comparison;

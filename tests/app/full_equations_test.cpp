@@ -1,4 +1,6 @@
 // Numbers by the full equations of motion: sweeps, broadband records and impacts, alone and with dwells and decays.
+#include "app/identify/full_equations.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -124,6 +126,25 @@ TEST_F(FullEquations, TellANumberFromABroadbandRecord) {
   expect_right(identified(), "1 broadband");
   EXPECT_NE(printed().find("by the full equations: 1 broadband"), std::string::npos) << printed();
   EXPECT_NE(testing_support::text_of(folder_ / "out/report.html").find("Measured and computed"), std::string::npos);
+}
+
+TEST_F(FullEquations, CountTheirFits) {
+  simulate(broadband_record);
+  app::IdentificationRequest request;
+  request.campaign = path("campaign");
+  request.model = path("model.toml");
+  request.interpret = true;
+  request.window.to_s = 2;
+  std::size_t fits = 0, of = 1;
+  app::identify_by_full_equations(request, [&](std::size_t done, std::size_t expected) {
+    EXPECT_TRUE(done == fits || done == fits + 1) << fits << " to " << done;
+    EXPECT_NE(fits, of) << "counted on behind the end";
+    fits = done;
+    of = expected;
+    EXPECT_LE(fits, of);
+  });
+  EXPECT_GT(fits, 4U);  // one for each width of errors, at least
+  EXPECT_EQ(fits, of);
 }
 
 TEST_F(FullEquations, TellANumberFromSweeps) {
