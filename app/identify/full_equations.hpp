@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ enum class Equations {
 /// impact that a channel drives.
 Equations equations_for(const Campaign& campaign, const Window& window);
 
+std::set<std::size_t> records_within(const Campaign& campaign, const Window& window);
+
+/// Those of some records that the modulation equations say nothing of: sweeps and broadband records.
+std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::size_t> records);
+
 /// What a run by the full equations found.
 struct FullIdentification {
   Identification of;  ///< without cases, observations and lumps
@@ -33,6 +39,6 @@ FullIdentification identify_by_full_equations(const IdentificationRequest& reque
                                               const SearchProgress& progress = {});
 
 /// "3 sweeps, 2 dwells": records by kind, in the order of their number.
-std::string records_in_words(const FullIdentification& run);
+std::string records_in_words(const Campaign& campaign, const std::set<std::size_t>& records);
 
 }  // namespace secular::app

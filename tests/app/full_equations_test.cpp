@@ -177,6 +177,12 @@ TEST_F(FullEquations, AreNotAskedWhereRecordsHaveAnExpansion) {
   const Json chosen = identified("model.toml", "--by modulation-equations");
   ASSERT_TRUE(chosen.is_object()) << printed();
   EXPECT_EQ(chosen["estimates"], dwells["estimates"]);
+  // Not without a word where an option chooses.
+  EXPECT_EQ(printed().find("leave out"), std::string::npos) << printed();
+  const Json of_case = identified("model.toml", "--case primary");
+  EXPECT_EQ(of_case["estimates"], dwells["estimates"]);
+  EXPECT_NE(printed().find("--case is of the modulation equations, which leave out 2 sweeps"), std::string::npos)
+      << printed();
 }
 
 TEST_F(FullEquations, SayFirstThatAModelWithoutItsSpringDoesNotHold) {
@@ -245,6 +251,10 @@ TEST_F(FullEquations, PrintPlainTextAndNameTheOtherWay) {
                 " --by full-equations --case primary --force -o " + path("out")),
             2);
   EXPECT_NE(printed().find("--by modulation-equations"), std::string::npos) << printed();
+  EXPECT_EQ(run("identify " + path("campaign") + " --model " + path("model.toml") + " --bootstrap 10 --force -o " +
+                path("out")),
+            2);
+  EXPECT_NE(printed().find("cannot use the records of"), std::string::npos) << printed();
 }
 
 class SlowFullEquations : public FullEquations {};
