@@ -23,6 +23,7 @@
 #include "app/shared/left_out.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
+#include "app/shared/progress_line.hpp"
 #include "app/shared/record_selection.hpp"
 #include "app/shared/scatter_output.hpp"
 #include "input/input_error.hpp"
@@ -82,8 +83,8 @@ void print_not_separated(const Estimate& estimate) {
 void print_summary(const FullIdentification& run, const std::string& folder) {
   const report::PlainNumbers plain(prints_for_programs());
   const Identification& id = run.of;
-  fmt::print("model {}, by the full equations: {}; {} of the samples\n", id.model->name, records_in_words(run),
-             report::format_percent(run.full.data_used));
+  fmt::print("model {}, by the full equations: {}; {} of the samples\n", id.model->name,
+             records_in_words(run.of.campaign, run.full.records), report::format_percent(run.full.data_used));
   if (run.full.has_converged) {
     const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
     fmt::print("fit of all records: off by {:.3g} times what the measurement repeats to (p = {:.2g}{})\n",
@@ -161,19 +162,35 @@ std::vector<std::string> options_of_modulation(const IdentifyArguments& options)
   return names;
 }
 
-Equations equations_of(const IdentifyArguments& options) {
+// `left_out`: what the user has to know of records that options leave out.
+Equations equations_of(const IdentifyArguments& options, std::vector<std::string>& left_out) {
   const std::vector<std::string> of_modulation = options_of_modulation(options);
   if (options.by == Equations::full && !of_modulation.empty())
     throw InputError(of_modulation.front(), "", "is of the modulation equations",
                      "leave it out, or --by modulation-equations");
   if (options.by) return *options.by;
-  if (!of_modulation.empty()) return Equations::modulation;
-  return equations_for(read_campaign(options.request.campaign), options.request.window);
+  const Campaign campaign = read_campaign(options.request.campaign);
+  if (of_modulation.empty()) return equations_for(campaign, options.request.window);
+  const std::set<std::size_t> all = records_within(campaign, options.request.window),
+                              others = without_expansion(campaign, all);
+  const std::string words = records_in_words(campaign, others);
+  if (!all.empty() && others == all)
+    throw InputError(of_modulation.front(), "",
+                     fmt::format("is of the modulation equations, which cannot use the records of {} ({})",
+                                 options.request.campaign, words),
+                     "leave it out: the full equations of motion tell the numbers, with error bars");
+  if (!others.empty())
+    left_out.push_back(fmt::format(
+        "{} is of the modulation equations, which leave out {}; without it the full equations take all records",
+        of_modulation.front(), words));
+  return Equations::modulation;
 }
 
 // The exit status.
 int run_full(const IdentifyArguments& options, const std::string& command) {
-  const FullIdentification run = identify_by_full_equations(options.request);
+  ProgressLine line("fits (about)");
+  const FullIdentification run = identify_by_full_equations(
+      options.request, [&line](std::size_t done, std::size_t expected) { line(done, expected); });
   const std::string json = estimate_json(run), html = full_report(run, command);
   const std::string figure = report::render_figure(full_figure(run), "response", report::FigureUse::standalone).svg;
   options.output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
@@ -182,9 +199,7 @@ int run_full(const IdentifyArguments& options, const std::string& command) {
     fmt::print("{}", json);
   else
     print_summary(run, options.output.path());
-  std::set<std::size_t> given;
-  for (std::size_t r = 0; r < run.of.campaign.records.size(); ++r)
-    if (options.request.window.takes(r, run.of.campaign.records[r].file)) given.insert(r);
+  const std::set<std::size_t> given = records_within(run.of.campaign, options.request.window);
   const auto lost = mostly_left_out(run.of.estimate.warnings, run.of.campaign, given, run.full.records);
   if (lost) fmt::print(stderr, "secular: {}\n", *lost);
   return lost || !run.full.has_converged ? 1 : 0;
@@ -233,8 +248,10 @@ void add_identify_command(CLI::App* command, Action& chosen) {
       options->output.check(
           {{"the campaign", options->request.campaign, true}, {"the model", options->request.model, false}});
       options->request.window = options->selection.window();
-      if (equations_of(*options) == Equations::full) return run_full(*options, command_line_of(*command));
-      const Identification result = identify(options->request);
+      std::vector<std::string> left_out;
+      if (equations_of(*options, left_out) == Equations::full) return run_full(*options, command_line_of(*command));
+      Identification result = identify(options->request);
+      result.estimate.warnings.insert(result.estimate.warnings.begin(), left_out.begin(), left_out.end());
       const std::string json = estimate_json(result);
       const std::string html = identification_report(result, command_line_of(*command));
       const std::string figure =

@@ -275,7 +275,7 @@ std::string estimate_json(const FullIdentification& run) {
   quality["observations"] = run.full.conditions;
   quality["converged"] = run.full.has_converged;
   quality["data_used"] = run.full.data_used;
-  quality["records"] = records_in_words(run);
+  quality["records"] = records_in_words(run.of.campaign, run.full.records);
   return result.dump(2) + "\n";
 }
 

@@ -27,6 +27,10 @@ bool holds_any(const Campaign& campaign, const Window& window, const auto& of_ki
   return false;
 }
 
+bool has_no_expansion(RecordKind kind) {
+  return kind == RecordKind::sweep || kind == RecordKind::broadband;
+}
+
 bool is_read_by_modulation(RecordKind kind) {
   return is_steady(kind) || kind == RecordKind::free_decay;
 }
@@ -71,12 +75,25 @@ Equations equations_for(const Campaign& campaign, const Window& window) {
   const bool is_driven = std::any_of(campaign.channels.begin(), campaign.channels.end(),
                                      [](const Channel& c) { return c.role == ChannelRole::excitation; });
   const bool any = holds_any(campaign, window, [&](RecordKind kind) {
-    return kind == RecordKind::sweep || kind == RecordKind::broadband || (kind == RecordKind::impact && is_driven);
+    return has_no_expansion(kind) || (kind == RecordKind::impact && is_driven);
   });
   return any ? Equations::full : Equations::modulation;
 }
 
-FullIdentification identify_by_full_equations(const IdentificationRequest& request) {
+std::set<std::size_t> records_within(const Campaign& campaign, const Window& window) {
+  std::set<std::size_t> records;
+  for (std::size_t r = 0; r < campaign.records.size(); ++r)
+    if (window.takes(r, campaign.records[r].file)) records.insert(r);
+  return records;
+}
+
+std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::size_t> records) {
+  std::erase_if(records, [&](std::size_t r) { return !has_no_expansion(campaign.records[r].kind); });
+  return records;
+}
+
+FullIdentification identify_by_full_equations(const IdentificationRequest& request,
+                                              const SearchProgress& progress) {
   FullIdentification run;
   Identification& id = run.of;
   const ModelSource source(request.model, request.interpret);
@@ -101,7 +118,7 @@ FullIdentification identify_by_full_equations(const IdentificationRequest& reque
   }
   begins.push_back({});
   const CampaignAndModel sides{id.campaign, read, *id.model, fitted_symbols(*id.model, request.fixed)};
-  run.full = estimate_by_full_equations(sides, options, begins, std::move(found));
+  run.full = estimate_by_full_equations(sides, options, begins, std::move(found), progress);
   id.estimate = std::move(run.full.estimate);
   id.disturbances = std::move(run.full.disturbances);
   for (const auto& warnings : {starts.warnings, reader.warnings()})
@@ -113,9 +130,9 @@ FullIdentification identify_by_full_equations(const IdentificationRequest& reque
   return run;
 }
 
-std::string records_in_words(const FullIdentification& run) {
+std::string records_in_words(const Campaign& campaign, const std::set<std::size_t>& records) {
   std::map<RecordKind, std::size_t> counts;
-  for (const std::size_t r : run.full.records) ++counts[run.of.campaign.records[r].kind];
+  for (const std::size_t r : records) ++counts[campaign.records[r].kind];
   std::vector<std::pair<RecordKind, std::size_t>> kinds(counts.begin(), counts.end());
   std::stable_sort(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   std::vector<std::string> words;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ enum class Equations {
 /// impact that a channel drives.
 Equations equations_for(const Campaign& campaign, const Window& window);
 
+std::set<std::size_t> records_within(const Campaign& campaign, const Window& window);
+
+/// Those of some records that the modulation equations say nothing of: sweeps and broadband records.
+std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::size_t> records);
+
 /// What a run by the full equations found.
 struct FullIdentification {
   Identification of;  ///< without cases, observations and lumps
@@ -27,10 +33,12 @@ struct FullIdentification {
 
 /// Fits the model to all records of the window by its full equations of motion. Where dwells or free decays are
 /// among them, the estimate by the modulation equations of these is the start; nominal values and natural
-/// frequencies found in the records are where there is none, or where that leads nowhere. Throws InputError.
-FullIdentification identify_by_full_equations(const IdentificationRequest& request);
+/// frequencies found in the records are where there is none, or where that leads nowhere. `progress`: see
+/// estimate_by_full_equations(). Throws InputError.
+FullIdentification identify_by_full_equations(const IdentificationRequest& request,
+                                              const SearchProgress& progress = {});
 
 /// "3 sweeps, 2 dwells": records by kind, in the order of their number.
-std::string records_in_words(const FullIdentification& run);
+std::string records_in_words(const Campaign& campaign, const std::set<std::size_t>& records);
 
 }  // namespace secular::app

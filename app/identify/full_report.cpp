@@ -51,7 +51,8 @@ Figure full_figure(const FullIdentification& run) {
 std::string full_report(const FullIdentification& run, const std::string& command) {
   const Identification& id = run.of;
   report::HtmlReport page("Identification of " + std::string(id.model->name),
-                          "Campaign " + id.campaign.name + ", by the full equations: " + records_in_words(run));
+                          "Campaign " + id.campaign.name +
+                              ", by the full equations: " + records_in_words(run.of.campaign, run.full.records));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
   add_cards(page, id.estimate);
   if (run.full.has_converged) {

@@ -14,7 +14,7 @@ void ProgressLine::operator()(std::size_t done, std::size_t total) {
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
   if (is_quiet() || !isatty(STDERR_FILENO) || spent.count() < 2) return;
   // A count that stands still is shown anew twice a second: what has been spent grows.
-  if (done == shown_ && spent.count() < shown_at_ + 0.5) return;
+  if (done == shown_ && done < total && spent.count() < shown_at_ + 0.5) return;
   shown_ = done;
   shown_at_ = spent.count();
   const std::string time = done == 0

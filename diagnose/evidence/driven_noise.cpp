@@ -50,13 +50,15 @@ class Parts {
     std::vector<StretchOfMotion> whole;
     model.errors({trial}, nullptr, &whole);
     const StretchOfMotion& still = whole.front();
-    const Index count = std::max<Index>(1, (trial.samples - 2) / length_ + 1), parts = trial.state.size();
+    const Index parts = trial.state.size();
+    // As long as that; the last one takes less than half a part more, or is no shorter than half of one.
+    const Index count = std::max<Index>(1, (trial.samples - 1 + length_ / 2) / length_);
     std::vector<Segment> segments;
     segments.reserve(static_cast<std::size_t>(count * (1 + inputs)));
     std::vector<SegmentTrial> trials;
     for (Index p = 0; p < count; ++p) {
       // The first sample of the next part is the last of this one: states are carried on to it.
-      const Index first = p * length_, samples = std::min(length_ + 1, trial.samples - first);
+      const Index first = p * length_, samples = p + 1 < count ? length_ + 1 : trial.samples - first;
       VectorXd state = trial.state;
       if (p > 0) state << still.displacement.col(first), still.velocity.col(first);
       segments.push_back(part_of_segment(trial.segment, first, samples));
@@ -78,16 +80,20 @@ class Parts {
 
   /// Of a sample of the segment.
   Changes changes_at(Index sample) const {
-    const auto p = std::min(static_cast<std::size_t>(sample / length_), all_.size() - 1);
+    const std::size_t p = part_of(sample);
     return changes_in(all_[p], sample - static_cast<Index>(p) * length_);
   }
   /// From a sample of the segment, not its last, to the next one; in the same part.
   MatrixXd states_after(Index sample) const {
-    const auto p = static_cast<std::size_t>(sample / length_);
+    const std::size_t p = part_of(sample);
     return changes_in(all_[p], sample + 1 - static_cast<Index>(p) * length_).states;
   }
 
  private:
+  std::size_t part_of(Index sample) const {
+    return std::min(static_cast<std::size_t>(sample / length_), all_.size() - 1);
+  }
+
   void take(const SegmentModel& model, const std::vector<SegmentTrial>& trials, std::size_t of_a_part) {
     std::vector<StretchOfMotion> motions;
     std::vector<VectorXd> errors = model.errors(trials, nullptr, &motions);

@@ -17,7 +17,7 @@ ExplanationSearch::ExplanationSearch(Discrepancy& discrepancy, const std::vector
     : candidates(all_candidates),
       all_own(all_of_own),
       options(all_options),
-      fitter(discrepancy, unknowns, all_options.threads),
+      fitter(discrepancy, unknowns, all_options.threads, all_options.after_own_fit),
       price(0.5 * std::log(std::max(2.0, fitter.rows()))),
       own(all_of_own) {}
 

@@ -51,6 +51,7 @@ Refit Fitter::fit_own(const VectorXd& from, const std::vector<std::size_t>& free
   damped.damping = damping;
   Refit fit = refit(discrepancy_, from, free, damped);
   scales_.remember(free, fit.scale);
+  if (after_own_fit_) after_own_fit_();
   return fit;
 }
 

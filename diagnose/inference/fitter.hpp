@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "diagnose/inference/refit.hpp"
@@ -34,8 +36,10 @@ struct LevelFit {
 /// the scales of unknowns.
 class Fitter {
  public:
-  Fitter(Discrepancy& discrepancy, Eigen::Index unknowns, unsigned threads)
-      : discrepancy_(discrepancy), threads_(threads), scales_(unknowns) {}
+  /// `after_own_fit`: see InferenceOptions.
+  Fitter(Discrepancy& discrepancy, Eigen::Index unknowns, unsigned threads,
+         std::function<void()> after_own_fit = {})
+      : discrepancy_(discrepancy), threads_(threads), scales_(unknowns), after_own_fit_(std::move(after_own_fit)) {}
 
   /// Takes errors and starting points of the rows at these unknowns.
   void freeze(const Eigen::VectorXd& at, double coarse = 0, Lookout lookout = Lookout::anywhere);
@@ -93,6 +97,7 @@ class Fitter {
   Discrepancy& discrepancy_;
   unsigned threads_;
   KnownScales scales_;
+  std::function<void()> after_own_fit_;
   Frozen frozen_;
 };
 

@@ -25,6 +25,7 @@ using SearchProgress = std::function<void(std::size_t done, std::size_t expected
 
 struct InferenceOptions {
   SearchProgress progress = {};
+  std::function<void()> after_own_fit = {};  ///< of the model as it is, at errors that were taken for it
   unsigned threads = 1;
   /// Unknowns whose start is trusted more than a model that is far from the data: held until one explanation is
   /// near.

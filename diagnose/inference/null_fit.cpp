@@ -49,8 +49,8 @@ double largest_move(const Refit& from, const Refit& to) {
 
 }  // namespace
 
-Refit bring_to_rest(Discrepancy& discrepancy, Refit fit, unsigned threads) {
-  Fitter fitter(discrepancy, fit.unknowns.size(), threads);
+Refit bring_to_rest(Discrepancy& discrepancy, Refit fit, const InferenceOptions& options) {
+  Fitter fitter(discrepancy, fit.unknowns.size(), options.threads, options.after_own_fit);
   for (int round = 0; round < most_returns; ++round) {
     fitter.freeze(fit.unknowns, 0, Lookout::close_by);
     Refit next = fitter.fit_own(fit.unknowns, fit.free);
@@ -94,9 +94,12 @@ void settle_null(ExplanationSearch& search, const Explanation& best) {
   const VectorXd without = switched_off(best.fit.unknowns, best.members, search.candidates);
   fitter.freeze(best.fit.unknowns);
   Refit& null = search.result.null.fit;
+  const bool is_itself = best.members.empty();
   null = fitter.fit_own(null.unknowns, search.own);
-  Refit from_best = fitter.fit_own(without, search.own);
-  if (from_best.chi_squared < null.chi_squared) null = std::move(from_best);
+  if (!is_itself) {
+    Refit from_best = fitter.fit_own(without, search.own);
+    if (from_best.chi_squared < null.chi_squared) null = std::move(from_best);
+  }
   search.result.degrees_of_freedom = search.freedom_about_null();
 }
 

@@ -11,7 +11,7 @@ void fit_null(ExplanationSearch& search, const Eigen::VectorXd& start);
 /// A fit once more among the errors of the measurement at its own unknowns, again and again until that moves none
 /// of those that the rows tell by more than a hundredth of its standard deviation. Stalled where it does not come
 /// to rest, or where a fit on the way stalls.
-Refit bring_to_rest(Discrepancy& discrepancy, Refit fit, unsigned threads);
+Refit bring_to_rest(Discrepancy& discrepancy, Refit fit, const InferenceOptions& options);
 
 /// The model as it is among the errors of the measurement at this explanation, from where it was and from there.
 void settle_null(ExplanationSearch& search, const Explanation& best);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -48,6 +49,7 @@ struct DiagnosisOptions {
       usual_highest_level;  ///< that may be proposed, times the highest one measured at a resonance
   unsigned threads = 1;
   SearchProgress progress = {};
+  std::function<void()> after_own_fit = {};  ///< see InferenceOptions
 };
 
 }  // namespace secular

@@ -29,6 +29,33 @@ using Eigen::VectorXd;
 /// Samples of a stretch that is shown.
 constexpr Index most_shown = 400;
 
+// How many fits there have been, of about how many.
+class FitCount {
+ public:
+  explicit FitCount(SearchProgress progress) : progress_(std::move(progress)) {}
+
+  void expect(std::size_t more) {
+    expected_ = done_ + more;
+    report(expected_);
+  }
+  void add() {
+    ++done_;
+    report(std::max(done_ + 1, expected_));
+  }
+  void end() const { report(done_); }
+
+ private:
+  void report(std::size_t of) const {
+    if (progress_) progress_(done_, of);
+  }
+
+  SearchProgress progress_;
+  std::size_t done_ = 0, expected_ = 0;
+};
+
+/// Of a campaign that the model fits: from a start that is near, and once more with decays in one piece.
+constexpr std::size_t usual_fits = 12, usual_fits_in_one_piece = 3;
+
 // A fit from one start.
 struct Attempt {
   FittedAlone fitted;
@@ -39,8 +66,18 @@ struct Attempt {
   bool suffices() const { return has_converged() && !is_more_than_noise(left); }
 };
 
+void bring_to_rest(Attempt& attempt) {
+  Discrepancy& discrepancy = attempt.fitted.comparison.discrepancy;
+  Inference& inference = attempt.fitted.inference;
+  Refit& fit = inference.null.fit;
+  fit = bring_to_rest(discrepancy, std::move(fit), options_of_fit(attempt.options));
+  inference.degrees_of_freedom = static_cast<double>(discrepancy.freedom() - fit.rank);
+  attempt.left = {fit.chi_squared, inference.degrees_of_freedom};
+}
+
 Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const std::map<std::string, double>& start,
-                const std::vector<Disturbance>& found) {
+                const std::vector<Disturbance>& found, FitCount& count) {
+  count.expect(usual_fits);
   ForeignContent foreign{found, {}, {}};
   for (const auto& [name, value] : start) options.start.emplace(name, value);
   allow_for(foreign, sides.campaign, options);
@@ -49,17 +86,16 @@ Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const s
   if (is_more_than_noise(left.left)) {
     std::optional<FittedAlone> beside;
     const auto fit_beside = [&] {
+      count.expect(usual_fits);
       beside = fitted_alone(sides, options);
       return left_by(*beside, sides, options);
     };
     if (holds_beside_foreign_content(left, fit_beside, sides.campaign, foreign, options))
       fitted = std::move(*beside);
   }
-  Discrepancy& discrepancy = fitted.comparison.discrepancy;
-  Refit& fit = fitted.inference.null.fit;
-  fit = bring_to_rest(discrepancy, std::move(fit), options.threads);
-  const RowsLeft at_rest{fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank)};
-  return {std::move(fitted), std::move(options), std::move(foreign), at_rest};
+  Attempt at_rest{std::move(fitted), std::move(options), std::move(foreign), {}};
+  bring_to_rest(at_rest);
+  return at_rest;
 }
 
 bool is_better(const Attempt& one, const Attempt& other) {
@@ -69,12 +105,12 @@ bool is_better(const Attempt& one, const Attempt& other) {
 
 Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& options,
                      const std::vector<std::map<std::string, double>>& starts,
-                     const std::vector<Disturbance>& found) {
+                     const std::vector<Disturbance>& found, FitCount& count) {
   std::optional<Attempt> best;
   std::optional<InputError> refused;  // a start that says too little; another one may say it
   for (const auto& start : starts) {
     try {
-      Attempt next = attempt(sides, options, start, found);
+      Attempt next = attempt(sides, options, start, found, count);
       if (!best || is_better(next, *best)) best = std::move(next);
     } catch (const InputError& error) {
       refused = error;
@@ -94,22 +130,20 @@ bool has_segments_of_decays(const Comparison& comparison, const Campaign& campai
 
 // From a fit in which segments of decays have states of their own, the same with one state a decay
 // (docs/inference.md, decays in one piece). Not where something stands beside the motion: mains and zeros keep
-// their course over a segment only.
-std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides) {
+// their course over a segment only, and beside noise with a colour a law that is missing hardly shows.
+std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides, FitCount& count) {
   DiagnosisOptions options = segments.options;
   const bool has_tones = std::any_of(options.tones.begin(), options.tones.end(),
                                      [](const auto& of_record) { return !of_record.second.empty(); });
   if (!segments.has_converged() || has_tones || !options.wandering.empty() || !options.coloured.empty() ||
       !has_segments_of_decays(segments.fitted.comparison, sides.campaign))
     return {};
+  count.expect(usual_fits_in_one_piece);
   options.whole_decays = true;
   FittedAlone fitted{compare(sides, {}, options), segments.fitted.inference, segments.fitted.late};
-  Refit& fit = fitted.inference.null.fit;
-  Discrepancy& discrepancy = fitted.comparison.discrepancy;
-  fit = bring_to_rest(discrepancy, std::move(fit), options.threads);
-  const RowsLeft left{fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank)};
-  fitted.inference.degrees_of_freedom = left.freedom;
-  return Attempt{std::move(fitted), std::move(options), segments.foreign, left};
+  Attempt whole{std::move(fitted), std::move(options), segments.foreign, {}};
+  bring_to_rest(whole);
+  return whole;
 }
 
 // What a lack of fit as large as the one that is seen may do to each free unknown (docs/inference.md (46)).
@@ -160,6 +194,12 @@ DetectedGap gap_of(const Attempt& best) {
   return gap;
 }
 
+// What is left of the rows that a model is judged by, and whether that is more than noise.
+struct JudgedRows {
+  RowsLeft left;
+  DetectedGap gap;
+};
+
 double misfit_of(const RowsLeft& left) {
   return left.chi_squared / std::max(1.0, left.freedom);
 }
@@ -171,7 +211,8 @@ bool does_as_well(const Attempt& whole, const Attempt& segments) {
 }
 
 // All rows as one equation.
-LackOfFit lack_of_all_rows(const RowsLeft& left, const DetectedGap& gap, std::size_t conditions) {
+LackOfFit lack_of_all_rows(const JudgedRows& judged, std::size_t conditions) {
+  const auto& [left, gap] = judged;
   LackOfFit test;
   test.name = "full equations of motion, all records";
   test.conditions = conditions;
@@ -186,10 +227,11 @@ LackOfFit lack_of_all_rows(const RowsLeft& left, const DetectedGap& gap, std::si
   return test;
 }
 
-std::vector<std::string> warnings_of(const Attempt& best, const DetectedGap& gap, std::size_t stretches,
+std::vector<std::string> warnings_of(const Attempt& best, const JudgedRows& judged, std::size_t stretches,
                                      const Campaign& campaign) {
   std::vector<std::string> warnings;
-  const double ratio = std::sqrt(best.left.chi_squared / std::max(1.0, best.left.freedom));
+  const DetectedGap& gap = judged.gap;
+  const double ratio = std::sqrt(misfit_of(judged.left));
   if (!best.has_converged())
     warnings.push_back(
         "the fit by the full equations did not come to an end: there are no numbers (rough values of the model's "
@@ -244,13 +286,14 @@ bool acts_by_an_excitation(const CompiledModel& model, std::size_t symbol) {
 }
 
 // Parameters of the model's symbols with their covariance.
-void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndModel& sides, bool lacks) {
+void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndModel& sides,
+                     const JudgedRows& judged) {
   const Refit& fit = best.fitted.inference.null.fit;
   const Discrepancy& discrepancy = best.fitted.comparison.discrepancy;
   const auto symbols = static_cast<Index>(sides.model.symbols.size());
   const SymbolUnits units(sides.campaign, sides.model);
   const MatrixXd covariance = covariance_of(fit, discrepancy.labels(), static_cast<double>(discrepancy.freedom()));
-  const VectorXd hidden = hidden_in(fit, best.left);
+  const VectorXd hidden = hidden_in(fit, judged.left);
   const double open_share = blows_are_open_to(best, sides);
   estimate.covariance = MatrixXd::Zero(symbols, symbols);
   estimate.parameter_values = VectorXd::Constant(symbols, NAN);
@@ -275,7 +318,7 @@ void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndM
       if (acts_by_an_excitation(sides.model, s)) value.open_sd = open_share * std::abs(*value.value);
       value.sd = std::hypot(value.noise_sd, value.open_sd);
       value.degrees_of_freedom = best.left.freedom;
-      if (lacks) add_misfit(value, hidden(at));
+      if (judged.gap.detected) add_misfit(value, hidden(at));
       value.significant = is_significant(value);
     }
     estimate.parameters.push_back(std::move(value));
@@ -352,13 +395,19 @@ std::vector<Disturbance> disturbances_of(const Attempt& best, const CampaignAndM
 
 FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const DiagnosisOptions& options,
                                         const std::vector<std::map<std::string, double>>& starts,
-                                        std::vector<Disturbance> found) {
-  Attempt best = best_attempt(sides, options, starts, found);
-  std::optional<Attempt> whole = in_one_piece(best, sides);
+                                        std::vector<Disturbance> found, const SearchProgress& progress) {
+  FitCount count(progress);
+  DiagnosisOptions counted = options;
+  counted.after_own_fit = [&] { count.add(); };
+  Attempt best = best_attempt(sides, counted, starts, found, count);
+  std::optional<Attempt> whole = in_one_piece(best, sides, count);
+  count.end();
   const bool keeps_segments = whole && !does_as_well(*whole, best);
   if (whole && !keeps_segments) best = std::move(*whole);
   const Comparison& comparison = best.fitted.comparison;
-  const DetectedGap gap = gap_of(best);
+  JudgedRows judged{best.left, gap_of(best)};
+  // States of their own take up what a missing law makes along a decay: that is seen in one piece.
+  if (keeps_segments && whole->has_converged()) judged = {whole->left, gap_of(*whole)};
   FullEstimate result;
   result.has_converged = best.has_converged();
   result.conditions = comparison.conditions.size() + comparison.segments;
@@ -368,12 +417,11 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   for (const RowLabel& label : result.labels) result.records.insert(label.record);
   result.stretches = stretches_of(best, result.records);
   result.disturbances = disturbances_of(best, sides);
-  take_parameters(result.estimate, best, sides, gap.detected);
+  take_parameters(result.estimate, best, sides, judged);
   if (result.has_converged) take_directions(result.estimate, best, sides.model);
   // Where a fit has not come to an end, what it leaves says nothing of the model.
-  if (result.has_converged)
-    result.estimate.lack_of_fit = {{"", {lack_of_all_rows(best.left, gap, result.conditions)}}};
-  result.estimate.warnings = warnings_of(best, gap, result.conditions, sides.campaign);
+  if (result.has_converged) result.estimate.lack_of_fit = {{"", {lack_of_all_rows(judged, result.conditions)}}};
+  result.estimate.warnings = warnings_of(best, judged, result.conditions, sides.campaign);
   if (keeps_segments) result.estimate.warnings.push_back(why_segments_stay(*whole));
   return result;
 }

@@ -41,9 +41,9 @@ struct FullEstimate {
 ///
 /// `sides.own`: symbols that are fitted; others are held at `options.start`. `starts`: by symbol, in turn until a
 /// fit ends and leaves no more than noise; the best of them is taken. `found`: what the records hold beside the
-/// motion. Throws InputError as compare().
+/// motion. `progress`: fits so far, of about how many. Throws InputError as compare().
 FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const DiagnosisOptions& options,
                                         const std::vector<std::map<std::string, double>>& starts,
-                                        std::vector<Disturbance> found);
+                                        std::vector<Disturbance> found, const SearchProgress& progress = {});
 
 }  // namespace secular

@@ -17,6 +17,13 @@ constexpr auto& first_scatter = diagnose_thresholds().first_scatter;
 
 }  // namespace
 
+InferenceOptions options_of_fit(const DiagnosisOptions& options) {
+  InferenceOptions of_fit;
+  of_fit.threads = options.threads;
+  of_fit.after_own_fit = options.after_own_fit;
+  return of_fit;
+}
+
 FittedAlone fitted_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,
                          std::optional<double> common_late_s) {
   Comparison comparison = compare(sides, {}, options);
@@ -27,9 +34,7 @@ FittedAlone fitted_alone(const CampaignAndModel& sides, const DiagnosisOptions& 
     comparison.start(static_cast<Index>(delay)) = -*common_late_s;
     fitted.push_back(delay);
   }
-  InferenceOptions inference_options;
-  inference_options.threads = options.threads;
-  Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, inference_options);
+  Inference alone = infer(comparison.discrepancy, {}, comparison.start, fitted, options_of_fit(options));
   return {std::move(comparison), std::move(alone), common_late_s.has_value()};
 }
 

@@ -42,6 +42,8 @@ struct FittedAlone {
   bool late = false;    ///< all responses by one unknown time
 };
 
+InferenceOptions options_of_fit(const DiagnosisOptions& options);
+
 /// Takes a small part of the time of a diagnosis. `common_late_s`: with all responses late by one unknown time,
 /// from this one on.
 FittedAlone fitted_alone(const CampaignAndModel& sides, const DiagnosisOptions& options,

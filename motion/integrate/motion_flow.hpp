@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +19,7 @@ struct Motions<double> {
   using Parameter = double;
   using Sample = ExcitationSample;
   static constexpr std::size_t count = 1;
+  static double each(const auto& value) { return value(0); }
   static double of(double number, std::size_t /*motion*/) { return number; }
   static void set(double& number, std::size_t /*motion*/, double value) { number = value; }
   static void set_parameter(double& parameter, std::size_t /*motion*/, double value) { parameter = value; }
@@ -31,6 +31,7 @@ struct Motions<Lanes> {
   using Parameter = LaneParameter;
   using Sample = LaneSample;
   static constexpr std::size_t count = Lanes::count;
+  static Lanes each(const auto& value) { return Lanes::each(value); }
   static double of(const Lanes& number, std::size_t motion) { return number[motion]; }
   static void set(Lanes& number, std::size_t motion, double value) { number.set(motion, value); }
   static void set_parameter(LaneParameter& parameter, std::size_t motion, double value) {
@@ -40,34 +41,19 @@ struct Motions<Lanes> {
   static const auto& acceleration(const CompiledModel& model) { return model.acceleration_of_lanes; }
 };
 
-/// The signal at a time >= 0 in half steps of the samples, by the polynomial through five neighbouring half
-/// steps.
-inline ExcitationSample interpolated(const DrivingSignal& signal, Eigen::Index row, double at) {
-  const Eigen::MatrixXd& half_steps = signal.half_steps;
-  const Eigen::Index last = half_steps.cols() - 1;
-  if (last < 2) return {half_steps(row, 0), 0, 0};
-  const double per_s = 2 / signal.sample_s;
-  if (last < 4) {  // by a parabola
-    const auto middle = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at + 0.5), 1, last - 1);
-    const double before = half_steps(row, middle - 1), here = half_steps(row, middle),
-                 after = half_steps(row, middle + 1);
-    const double x = at - static_cast<double>(middle), slope = 0.5 * (after - before),
-                 bend = after - 2 * here + before;
-    return {here + slope * x + 0.5 * bend * x * x, (slope + bend * x) * per_s, bend * per_s * per_s};
-  }
-  const auto middle = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at + 0.5), 2, last - 2);
-  const double here = half_steps(row, middle);
-  const double one = half_steps(row, middle + 1) - half_steps(row, middle - 1),
-               two = half_steps(row, middle + 2) - half_steps(row, middle - 2),
-               bend_1 = half_steps(row, middle + 1) - 2 * here + half_steps(row, middle - 1),
-               bend_2 = half_steps(row, middle + 2) - 2 * here + half_steps(row, middle - 2);
+/// A signal and its derivatives `x` steps behind the middle one of five neighbouring values, `per_s` steps a
+/// second: those of the polynomial through the five.
+template <class Number>
+typename Motions<Number>::Sample through_five(const std::array<Number, 5>& value, const Number& x, double per_s) {
+  const Number two(2.0), half(0.5), sixth(1.0 / 6), twelfth(1.0 / 12), here = value[2];
+  const Number one = value[3] - value[1], wide = value[4] - value[0], bend = value[3] - two * here + value[1],
+               wide_bend = value[4] - two * here + value[0];
   // Derivatives where the middle is.
-  const double first = (8 * one - two) / 12, second = (16 * bend_1 - bend_2) / 12, third = 0.5 * two - one,
-               fourth = bend_2 - 4 * bend_1;
-  const double x = at - static_cast<double>(middle);
-  return {here + x * (first + x * (second / 2 + x * (third / 6 + x * fourth / 24))),
-          (first + x * (second + x * (third / 2 + x * fourth / 6))) * per_s,
-          (second + x * (third + x * fourth / 2)) * per_s * per_s};
+  const Number first = (Number(8.0) * one - wide) * twelfth, second = (Number(16.0) * bend - wide_bend) * twelfth,
+               third = half * wide - one, fourth = wide_bend - Number(4.0) * bend;
+  return {here + x * (first + x * (half * second + x * (sixth * third + Number(1.0 / 24) * x * fourth))),
+          (first + x * (second + x * (half * third + sixth * x * fourth))) * Number(per_s),
+          (second + x * (third + half * x * fourth)) * Number(per_s * per_s)};
 }
 
 /// Right-hand sides of the full equations of motion, with what drives them and what stands beside them. A state is
@@ -90,7 +76,6 @@ class MotionFlow {
     for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
       const MotionStart& start = starts[m < starts.size() ? m : 0];
       signals_[m] = start.signal.get();
-      one_signal_ = one_signal_ && signals_[m] == signals_[0];
       for (std::size_t p = 0; p < parameters_.size(); ++p)
         Motions<Number>::set_parameter(parameters_[p], m, start.parameters[p]);
       take_beside(m, start);
@@ -112,28 +97,34 @@ class MotionFlow {
     return state;
   }
 
-  /// Sets what drives; time in half steps of the samples, that of all motions or of each. Stages of a step are often
-  /// where the one before was.
+  /// Sets what drives; time >= 0 in half steps of the samples, that of all motions or of each. Stages of a step are
+  /// often where the one before was.
   template <class Time>
   void drive(const Time& at) {
-    const auto of = [&](std::size_t motion) { return Motions<Time>::of(at, motion); };
+    if (driven_ == 0) return;
     bool is_driven = true;
     for (std::size_t m = 0; m < Motions<Number>::count; ++m) {
-      is_driven = is_driven && driven_at_[m] == of(m);
-      driven_at_[m] = of(m);
+      is_driven = is_driven && driven_at_[m] == Motions<Time>::of(at, m);
+      driven_at_[m] = Motions<Time>::of(at, m);
     }
     if (is_driven) return;
+    std::array<const double*, Motions<Number>::count> middle;  // of the five values nearest to it
+    Number behind(0.0);
+    for (std::size_t m = 0; m < middle.size(); ++m) {
+      const Eigen::MatrixXd& values = signals_[m]->half_steps;
+      const auto nearest =
+          std::clamp<Eigen::Index>(static_cast<Eigen::Index>(driven_at_[m] + 0.5), 2, values.cols() - 3);
+      middle[m] = values.data() + nearest * values.rows();
+      Motions<Number>::set(behind, m, driven_at_[m] - static_cast<double>(nearest));
+    }
+    const std::ptrdiff_t next = signals_[0]->half_steps.rows();
     for (std::size_t j = 0; j < driven_; ++j) {
-      ExcitationSample own = interpolated(*signals_[0], static_cast<Eigen::Index>(j), of(0));
-      excitation_[j] = {Number(own.value), Number(own.first_derivative), Number(own.second_derivative)};
-      if (one_signal_ && std::is_same_v<Time, double>) continue;
-      for (std::size_t m = 1; m < Motions<Number>::count; ++m) {
-        if (signals_[m] != signals_[m - 1] || of(m) != of(m - 1))
-          own = interpolated(*signals_[m], static_cast<Eigen::Index>(j), of(m));
-        Motions<Number>::set(excitation_[j].value, m, own.value);
-        Motions<Number>::set(excitation_[j].first_derivative, m, own.first_derivative);
-        Motions<Number>::set(excitation_[j].second_derivative, m, own.second_derivative);
-      }
+      const auto value = [&](std::ptrdiff_t i) {
+        return Motions<Number>::each(
+            [&](std::size_t m) { return middle[m][i * next + static_cast<std::ptrdiff_t>(j)]; });
+      };
+      excitation_[j] = through_five<Number>({value(-2), value(-1), value(0), value(1), value(2)}, behind,
+                                            2 / signals_[0]->sample_s);
     }
   }
 
@@ -326,13 +317,12 @@ class MotionFlow {
 
   const CompiledModel& model_;
   std::array<const DrivingSignal*, Motions<Number>::count> signals_{};
-  bool one_signal_ = true;
   std::size_t modes_, size_;  // of the state
   std::vector<typename Motions<Number>::Parameter> parameters_;
   std::vector<typename Motions<Number>::Sample> excitation_;  // zero where neither the signal nor a force drives
   std::size_t driven_;
   std::array<double, Motions<Number>::count> driven_at_{};  // times; before 0: not yet
-  std::vector<Number> stiffness_, damping_;  // of LinearChange
+  std::vector<Number> stiffness_, damping_;                 // of LinearChange
   bool has_side_ = false;
   Number side_frequency_ = Number(1.0), side_damping_ = Number(0.0);
   std::vector<ActiveForce> active_;

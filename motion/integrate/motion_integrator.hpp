@@ -23,7 +23,7 @@ struct SideOscillator {
 
 /// What drives a stretch of motion: values at even steps of half a sample, model's excitations x (2*samples - 1).
 struct DrivingSignal {
-  Eigen::MatrixXd half_steps;
+  Eigen::MatrixXd half_steps;  ///< of three samples at least
   double sample_s = 0;
 };
 

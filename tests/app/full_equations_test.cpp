@@ -1,4 +1,6 @@
 // Numbers by the full equations of motion: sweeps, broadband records and impacts, alone and with dwells and decays.
+#include "app/identify/full_equations.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -126,6 +128,25 @@ TEST_F(FullEquations, TellANumberFromABroadbandRecord) {
   EXPECT_NE(testing_support::text_of(folder_ / "out/report.html").find("Measured and computed"), std::string::npos);
 }
 
+TEST_F(FullEquations, CountTheirFits) {
+  simulate(broadband_record);
+  app::IdentificationRequest request;
+  request.campaign = path("campaign");
+  request.model = path("model.toml");
+  request.interpret = true;
+  request.window.to_s = 2;
+  std::size_t fits = 0, of = 1;
+  app::identify_by_full_equations(request, [&](std::size_t done, std::size_t expected) {
+    EXPECT_TRUE(done == fits || done == fits + 1) << fits << " to " << done;
+    EXPECT_NE(fits, of) << "counted on behind the end";
+    fits = done;
+    of = expected;
+    EXPECT_LE(fits, of);
+  });
+  EXPECT_GT(fits, 4U);  // one for each width of errors, at least
+  EXPECT_EQ(fits, of);
+}
+
 TEST_F(FullEquations, TellANumberFromSweeps) {
   simulate(two_sweeps);
   expect_right(identified(), "2 sweeps");
@@ -156,6 +177,12 @@ TEST_F(FullEquations, AreNotAskedWhereRecordsHaveAnExpansion) {
   const Json chosen = identified("model.toml", "--by modulation-equations");
   ASSERT_TRUE(chosen.is_object()) << printed();
   EXPECT_EQ(chosen["estimates"], dwells["estimates"]);
+  // Not without a word where an option chooses.
+  EXPECT_EQ(printed().find("leave out"), std::string::npos) << printed();
+  const Json of_case = identified("model.toml", "--case primary");
+  EXPECT_EQ(of_case["estimates"], dwells["estimates"]);
+  EXPECT_NE(printed().find("--case is of the modulation equations, which leave out 2 sweeps"), std::string::npos)
+      << printed();
 }
 
 TEST_F(FullEquations, SayFirstThatAModelWithoutItsSpringDoesNotHold) {
@@ -224,6 +251,10 @@ TEST_F(FullEquations, PrintPlainTextAndNameTheOtherWay) {
                 " --by full-equations --case primary --force -o " + path("out")),
             2);
   EXPECT_NE(printed().find("--by modulation-equations"), std::string::npos) << printed();
+  EXPECT_EQ(run("identify " + path("campaign") + " --model " + path("model.toml") + " --bootstrap 10 --force -o " +
+                path("out")),
+            2);
+  EXPECT_NE(printed().find("cannot use the records of"), std::string::npos) << printed();
 }
 
 class SlowFullEquations : public FullEquations {};

@@ -92,6 +92,25 @@ TEST(DrivenNoise, MotionsThatRunTogetherAreToldApart) {
   EXPECT_NEAR(white, 1, 5 * std::sqrt(2.0 / (samples * runs)));
 }
 
+// Innovations are of what came before: those of the first samples alone are the same, wherever these end among the
+// parts about whose motion noise is linear.
+TEST(DrivenNoise, WhatComesLaterDoesNotCount) {
+  const Laboratory lab;
+  const SegmentModel model(lab.compiled, {}, lab.sensors, lab.faults);
+  const VectorXd unknowns = lab.unknowns({{"alpha3", 2e7}, {"eta1", 1}});
+  const Driven d = sweep(lab, unknowns, 0.04, 1);
+  const SegmentTrial whole{d.segment, samples, unknowns, d.state};
+  const VectorXd rows = DrivenNoise(model, whole, {}).whitened(model.errors({whole}).front());
+  for (const Index first : {34, 64, 66, 79, 81}) {
+    Segment cut = d.segment;
+    cut.excitation.conservativeResize(Eigen::NoChange, 2 * first - 1);
+    cut.response.conservativeResize(Eigen::NoChange, first);
+    const SegmentTrial begun{cut, first, unknowns, d.state};
+    const VectorXd of_first = DrivenNoise(model, begun, {}).whitened(model.errors({begun}).front());
+    EXPECT_LT((of_first - rows.head(first)).cwiseAbs().maxCoeff(), 3e-4) << first;
+  }
+}
+
 // Where nearly all of an error is that motion, what the interpolation between samples does to noise is seen: a few
 // hundredths.
 TEST(DrivenNoise, TwentyTimesTheNoiseOfTheResponseIsTakenOut) {

@@ -1,0 +1,153 @@
+// Free decays by the full equations of motion, one state for all of a decay: a pendulum with dry friction.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/app/diagnosed_folder.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Json = nlohmann::json;
+
+struct Swing {
+  double omega0 = 5.770615, alpha3 = -5.55, mu1 = 0.02, friction = 0.03, from = 0.6;
+};
+
+constexpr Index parameters = 4;
+const char* const names[parameters] = {"omega0", "alpha3", "mu1", "fc"};
+constexpr double noise_sd = 0.0025, duration_s = 40;  // of 0.6 rad at the begin; it rests after 39 s
+
+VectorXd truth() {
+  const Swing swing;
+  return Eigen::Vector4d(swing.omega0, swing.alpha3, swing.mu1, swing.friction);
+}
+
+class DecaysInOnePiece : public testing_support::DiagnosedFolder {
+ protected:
+  void write_model(const std::string& name, const std::string& friction) const {
+    std::ofstream(folder_ / name)
+        << "schema = 1\nname = \"swing\"\n[[mode]]\ncoordinate = \"theta\"\nfrequency = \"omega0\"\n"
+        << "equation = \"D2(theta) + omega0^2*theta = -alpha3*theta^3 - 2*mu1*D(theta)" << friction
+        << "\"\n[[case]]\nname = \"free\"\nrelations = []\norder = { alpha3 = 1, mu1 = 2"
+        << (friction.empty() ? "" : ", fc = 2") << " }\nexpand_to = 2\nexcitation = false\n"
+        << "[nominal]\nomega0 = 5.77\n";
+  }
+
+  void simulate(const Swing& swing, double noise, int seed) const {
+    write_model("model.toml", " - fc*sgn(D(theta))");
+    std::ofstream experiment(folder_ / "experiment.toml");
+    experiment.precision(17);
+    experiment << "schema = 1\nname = \"made\"\nmodel = \"" << path("model.toml") << "\"\nsample_rate_hz = 100.0\n"
+               << "[parameters]\nomega0 = " << swing.omega0 << "\nalpha3 = " << swing.alpha3
+               << "\nmu1 = " << swing.mu1 << "\nfc = " << swing.friction
+               << "\n[[response]]\nname = \"theta\"\nquantity = \"angle\"\nunit = \"rad\"\nnoise_sd = " << noise
+               << "\n[[free_decay]]\ninitial_displacement = [" << swing.from << "]\nduration_s = " << duration_s
+               << "\n";
+    experiment.close();
+    ASSERT_EQ(run("simulate " + path("experiment.toml") + " --seed " + std::to_string(seed) + " --force -o " +
+                  path("campaign")),
+              0)
+        << printed();
+  }
+
+  Json identified(const std::string& model) const {
+    run("identify " + path("campaign") + " --model " + path(model) + " --by full-equations --force -o " +
+        path("out"));
+    std::ifstream in(folder_ / "out/estimate.json");
+    return in ? Json::parse(in) : Json();
+  }
+
+  VectorXd motion(const Swing& swing) const {
+    simulate(swing, 0, 1);
+    std::ifstream in(folder_ / "campaign/records/0001.csv");
+    std::string line;
+    std::getline(in, line);
+    std::vector<double> values;
+    while (std::getline(in, line)) values.push_back(std::stod(line.substr(line.find(',') + 1)));
+    return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+  }
+
+  // Of each parameter, beside an unknown state to begin with: the least standard deviation that an unbiased
+  // estimate from all samples can have (Cramer and Rao).
+  VectorXd bound() const {
+    const auto slope = [&](double Swing::*of, double step) -> VectorXd {
+      Swing up, down;
+      up.*of += step;
+      down.*of -= step;
+      return (motion(up) - motion(down)) / (2 * step);
+    };
+    const VectorXd still = motion(Swing());
+    const Index samples = still.size();
+    MatrixXd slopes = MatrixXd::Zero(samples, parameters + 2);
+    slopes.col(0) = slope(&Swing::omega0, 1e-5);
+    slopes.col(1) = slope(&Swing::alpha3, 1e-3);
+    slopes.col(2) = slope(&Swing::mu1, 1e-5);
+    slopes.col(3) = slope(&Swing::friction, 1e-5);
+    slopes.col(4) = slope(&Swing::from, 1e-4);
+    // A later begin: the other direction of the state.
+    slopes.col(5).segment(1, samples - 2) = still.tail(samples - 2) - still.head(samples - 2);
+    const VectorXd lengths = slopes.colwise().norm().transpose();
+    const MatrixXd unit = slopes * lengths.cwiseInverse().asDiagonal();
+    const MatrixXd covariance = (unit.transpose() * unit).inverse();
+    return noise_sd * covariance.diagonal().cwiseSqrt().cwiseQuotient(lengths).head(parameters);
+  }
+};
+
+// States of segments' own take up nearly all of what friction does.
+TEST_F(DecaysInOnePiece, SayThatAModelWithoutItsFrictionDoesNotHold) {
+  ASSERT_NO_FATAL_FAILURE(simulate(Swing(), noise_sd, 1));
+  write_model("without.toml", "");
+  const Json estimate = identified("without.toml");
+  ASSERT_TRUE(estimate.is_object()) << printed();
+  EXPECT_TRUE(estimate["quality"]["lack_of_fit"][0]["significant"].get<bool>());
+  for (const Json& e : estimate["estimates"])
+    if (e["name"] == "mu1") {
+      EXPECT_TRUE(e["doubtful"].get<bool>());
+      EXPECT_NEAR(e["value"].get<double>(), Swing().mu1, 2 * e["sd"].get<double>());
+    }
+}
+
+class SlowDecaysInOnePiece : public DecaysInOnePiece {};
+
+TEST_F(SlowDecaysInOnePiece, AreAsSharpAsTheirSamplesAllow) {
+  const VectorXd least = bound();
+  constexpr int draws = 32;
+  MatrixXd errors(parameters, draws), sds(parameters, draws);  // over the bound
+  int held = 0, alarms = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    ASSERT_NO_FATAL_FAILURE(simulate(Swing(), noise_sd, 100 + draw));
+    const Json estimate = identified("model.toml");
+    ASSERT_TRUE(estimate.is_object()) << printed();
+    alarms += estimate["quality"]["lack_of_fit"][0]["significant"].get<bool>();
+    for (Index p = 0; p < parameters; ++p) {
+      const Json& e = estimate["estimates"][static_cast<std::size_t>(p)];
+      ASSERT_EQ(e["name"], names[p]);
+      ASSERT_TRUE(e["value"].is_number()) << draw << ' ' << names[p];
+      errors(p, draw) = (e["value"].get<double>() - truth()(p)) / least(p);
+      sds(p, draw) = e["sd"].get<double>() / least(p);
+      held += e["ci95"][0].get<double>() <= truth()(p) && truth()(p) <= e["ci95"][1].get<double>();
+    }
+  }
+  // Numbers of a draw are not independent: they count as one.
+  EXPECT_GT(held / static_cast<double>(parameters * draws), 0.95 - 2.6 * std::sqrt(0.95 * 0.05 / draws));
+  EXPECT_LE(alarms, 1);
+  for (Index p = 0; p < parameters; ++p) {
+    const double rms = errors.row(p).norm() / std::sqrt(static_cast<double>(draws)), sd = sds.row(p).mean();
+    // Squares add up to chi-squared with as many degrees of freedom, of 32 draws below 66.6 but for 0.03 %.
+    EXPECT_LT(rms, std::sqrt(66.6 / draws)) << names[p];
+    EXPECT_GT(sd, 0.95) << names[p];
+    EXPECT_LT(sd, 1.2) << names[p];
+  }
+}
+
+}  // namespace
+}  // namespace secular
