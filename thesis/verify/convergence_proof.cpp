@@ -74,6 +74,29 @@ std::string ConvergenceProof::text() const {
 
 namespace {
 
+/// `error(text, measurement)`: what a form of the statement leaves at a measurement.
+template <class Error>
+ConvergenceProof decided(Laboratory& laboratory, const PrintedStatement& statement,
+                         const std::set<std::string>& without, const Error& error) {
+  // Both errors are powers of eps in the limit alone: where what follows hides the leading term, eps is smaller.
+  ConvergenceProof proof;
+  for (const double largest : {0.02, 0.005, 0.00125}) {
+    proof = ConvergenceProof();
+    for (const double eps : {largest, largest / 2, largest / 4}) {
+      const Measurement& measurement = laboratory.measure(eps, without);
+      proof.eps.push_back(eps);
+      proof.printed_error.push_back(error(statement.printed, measurement));
+      proof.corrected_error.push_back(error(*statement.corrected, measurement));
+    }
+    proof.printed_slope = slope(proof.eps, proof.printed_error);
+    proof.corrected_slope = slope(proof.eps, proof.corrected_error);
+    proof.decides_for_correction = proof.corrected_slope > proof.printed_slope + 0.5 &&
+                                   proof.corrected_error.back() < 0.5 * proof.printed_error.back();
+    if (proof.decides_for_correction) break;
+  }
+  return proof;
+}
+
 ConvergenceProof proof_of(Laboratory& laboratory, const PrintedStatement& statement,
                           const PrintedStatement* inside) {
   const PrintedFormula& formula = laboratory.formula();
@@ -138,23 +161,7 @@ ConvergenceProof proof_of(Laboratory& laboratory, const PrintedStatement& statem
   std::set<std::string> without(statement.without.begin(), statement.without.end());
   if (statement.kind == "definition") without.clear();                     // its equation has them
   if (modes == 1 && model.symbols.contains("mu2")) without.insert("mu2");  // the fit takes smooth harmonics
-  // Both errors are powers of eps in the limit alone: where what follows hides the leading term, eps is smaller.
-  ConvergenceProof proof;
-  for (const double largest : {0.02, 0.005, 0.00125}) {
-    proof = ConvergenceProof();
-    for (const double eps : {largest, largest / 2, largest / 4}) {
-      const Measurement& measurement = laboratory.measure(eps, without);
-      proof.eps.push_back(eps);
-      proof.printed_error.push_back(error(statement.printed, measurement));
-      proof.corrected_error.push_back(error(*statement.corrected, measurement));
-    }
-    proof.printed_slope = slope(proof.eps, proof.printed_error);
-    proof.corrected_slope = slope(proof.eps, proof.corrected_error);
-    proof.decides_for_correction = proof.corrected_slope > proof.printed_slope + 0.5 &&
-                                   proof.corrected_error.back() < 0.5 * proof.printed_error.back();
-    if (proof.decides_for_correction) break;
-  }
-  return proof;
+  return decided(laboratory, statement, without, error);
 }
 
 }  // namespace
