@@ -17,32 +17,62 @@ constexpr double small = 1e-3;
 
 bool ExpansionRange::excludes(const VectorXd& parameters, const Amplitudes& amplitude) const {
   const auto symbols = static_cast<Index>(model_.symbols.size());
-  const std::size_t excitations = model_.excitations.size();
-  Amplitudes forcing(excitations);
-  for (std::size_t j = 0; j < excitations && resonance_.excited; ++j)
-    forcing[j] = parameters(symbols + static_cast<Index>(excitations + j));
+  const Amplitudes forces = forcing(parameters);
   const ExpansionSizes::State state{parameters.data(), parameters.data() + symbols, amplitude.data(),
-                                    forcing.data()};
+                                    forces.data()};
   if (sizes_.outside(state)) return true;
-  return sizes_.tells_rates() && remainder_.known() &&
-         remainder_exceeds(parameters, amplitude, sizes_.largest_rates(state));
+  return sizes_.tells_rates() && remainder_.known() && remainder_exceeds(parameters, amplitude, state);
 }
 
 bool ExpansionRange::remainder_exceeds(const VectorXd& parameters, const Amplitudes& amplitude,
-                                       const std::vector<double>& largest) const {
+                                       const ExpansionSizes::State& state) const {
+  const std::vector<double> largest = sizes_.largest_rates(state);
   const std::optional<Amplitudes> whole = remainder_.at(parameters, amplitude);
   if (!whole) return true;
   std::optional<Amplitudes> linear;
-  if (sizes_.linear_when_small()) {
-    VectorXd shrunk = parameters;
-    shrunk.tail(static_cast<Index>(model_.excitations.size())) *= small;
-    Amplitudes less = amplitude;
-    for (std::complex<double>& a : less) a *= small;
-    linear = remainder_.at(shrunk, less);
+  if (sizes_.linear_when_small()) linear = linear_remainder(parameters, amplitude);
+  if (linear && sizes_.moves_rest(state)) {
+    const std::vector<double> all = sizes_.all_rates(state);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (std::abs((*linear)[k]) > all[k]) return true;
   }
   for (std::size_t k = 0; k < largest.size(); ++k)
-    if (std::abs((*whole)[k] - (linear ? (*linear)[k] / small : 0.0)) > largest[k]) return true;
+    if (std::abs((*whole)[k] - (linear ? (*linear)[k] : 0.0)) > largest[k]) return true;
   return false;
+}
+
+// lim R(s*a)/s for s -> 0
+std::optional<Amplitudes> ExpansionRange::linear_remainder(const VectorXd& parameters,
+                                                           const Amplitudes& amplitude) const {
+  VectorXd shrunk = parameters;
+  shrunk.tail(static_cast<Index>(model_.excitations.size())) *= small;
+  Amplitudes less = amplitude;
+  for (std::complex<double>& a : less) a *= small;
+  std::optional<Amplitudes> remainder = remainder_.at(shrunk, less);
+  if (remainder)
+    for (std::complex<double>& rate : *remainder) rate /= small;
+  return remainder;
+}
+
+Amplitudes ExpansionRange::forcing(const VectorXd& parameters) const {
+  const std::size_t excitations = model_.excitations.size(), before = model_.symbols.size() + excitations;
+  Amplitudes forces(excitations);
+  for (std::size_t j = 0; j < excitations && resonance_.excited; ++j)
+    forces[j] = parameters(static_cast<Index>(before + j));
+  return forces;
+}
+
+std::optional<double> ExpansionRange::rest_shift(const VectorXd& parameters, const Amplitudes& amplitude) const {
+  const Amplitudes forces = forcing(parameters);
+  const double* const frequencies = parameters.data() + model_.symbols.size();
+  if (!remainder_.known() || !sizes_.moves_rest({parameters.data(), frequencies, amplitude.data(), forces.data()}))
+    return std::nullopt;
+  const std::optional<Amplitudes> linear = linear_remainder(parameters, amplitude);
+  if (!linear) return std::nullopt;
+  double largest = 0;
+  for (std::size_t k = 0; k < amplitude.size(); ++k)
+    if (amplitude[k] != 0.0) largest = std::max(largest, std::abs((*linear)[k] / amplitude[k]));
+  return largest;
 }
 
 }  // namespace secular::app

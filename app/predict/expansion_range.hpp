@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "codegen/runtime/expansion_sizes.hpp"
@@ -16,7 +17,8 @@ namespace secular::app {
 ///    theirs is found: the terms after the last one are larger than any before.
 /// Compared is what is not linear in amplitudes and excitation: a damping or a detuning taken to few orders leaves
 /// as much at any amplitude. That part of the remainder is R(a) - lim R(s*a)/s for s -> 0, with a the amplitudes
-/// and the excitation.
+/// and the excitation. A constant force moves the rest position, and with it the stiffness, which is linear in what
+/// is left: there the linear part itself may not exceed every order of dA/dt either.
 class ExpansionRange {
  public:
   ExpansionRange(const CompiledModel& model, const CompiledCase& resonance, ExpansionSizes sizes)
@@ -25,9 +27,19 @@ class ExpansionRange {
   /// As ExpansionRemainder::at takes them. From any thread.
   bool excludes(const Eigen::VectorXd& parameters, const std::vector<std::complex<double>>& amplitude) const;
 
+  /// By how much the full equations shift a mode's rate beyond the expansion where a constant force moves the rest
+  /// position, in the limit of small motion: the largest |dA/dt|/|A| of the modes, 1/s. Nothing where no constant
+  /// force acts or no balance is found.
+  std::optional<double> rest_shift(const Eigen::VectorXd& parameters,
+                                   const std::vector<std::complex<double>>& amplitude) const;
+
  private:
+  std::optional<std::vector<std::complex<double>>> linear_remainder(
+      const Eigen::VectorXd& parameters, const std::vector<std::complex<double>>& amplitude) const;
   bool remainder_exceeds(const Eigen::VectorXd& parameters, const std::vector<std::complex<double>>& amplitude,
-                         const std::vector<double>& largest) const;
+                         const ExpansionSizes::State& state) const;
+
+  std::vector<std::complex<double>> forcing(const Eigen::VectorXd& parameters) const;
 
   const CompiledModel& model_;
   const CompiledCase& resonance_;

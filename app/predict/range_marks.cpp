@@ -32,6 +32,7 @@ void RangeMarks::mark(std::vector<Place> places) {
   in_parallel(places.size(), threads_, [&](std::size_t i) {
     *places[i].outside = range_->excludes(places[i].parameters, *places[i].amplitude);
   });
+  warn_of_moved_rest(places);
   const auto outside = std::count_if(places.begin(), places.end(),
                                      [](const Place& place) { return place.counts && *place.outside; });
   if (outside == 0) return;
@@ -40,6 +41,27 @@ void RangeMarks::mark(std::vector<Place> places) {
       "to it, exceeds every order before. The full equations need not have such a motion. These points are marked "
       "(outside_expansion)",
       outside, std::count_if(places.begin(), places.end(), [](const Place& place) { return place.counts; })));
+}
+
+// At the largest response, which is near resonance: far from it the expansion in the detuning lacks as much.
+void RangeMarks::warn_of_moved_rest(const std::vector<Place>& places) {
+  const auto largest = std::max_element(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    const auto size = [](const Place& place) {
+      double sum = 0;
+      for (const std::complex<double>& one : *place.amplitude) sum += std::norm(one);
+      return sum;
+    };
+    return size(a) < size(b);
+  });
+  if (largest == places.end()) return;
+  if (const std::optional<double> shift = range_->rest_shift(largest->parameters, *largest->amplitude))
+    prediction_.warnings.push_back(
+        fmt::format("a constant force moves the rest position, about which the expansion is not made: at the "
+                    "largest response the "
+                    "full equations shift the rate of a small motion by {:.2g} 1/s beyond it, which these "
+                    "responses lack. Where "
+                    "that is not small beside damping, count coordinates from the rest position",
+                    *shift));
 }
 
 void RangeMarks::mark_diagram(const ResponseRequest& response) {

@@ -28,6 +28,7 @@ class RangeMarks {
     bool counts;  ///< special points lie among others
   };
   void mark(std::vector<Place> places);
+  void warn_of_moved_rest(const std::vector<Place>& places);
 
   Prediction& prediction_;
   unsigned threads_;

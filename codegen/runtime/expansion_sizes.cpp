@@ -66,16 +66,29 @@ bool ExpansionSizes::outside(const State& state) const {
   });
 }
 
+template <class Counts>
+std::vector<double> ExpansionSizes::largest_order(const State& state, const Counts& counts) const {
+  std::vector<double> largest;
+  for (const std::vector<double>& orders : sizes(rate_, state, counts))
+    largest.push_back(*std::max_element(orders.begin(), orders.end()));
+  return largest;
+}
+
+bool ExpansionSizes::moves_rest(const State& state) const {
+  const auto of_modes = sizes(displacement_, state, [](const Term& term) { return term.degree == 0; });
+  return std::any_of(of_modes.begin(), of_modes.end(), [](const std::vector<double>& orders) {
+    return std::any_of(orders.begin(), orders.end(), [](double size) { return size > 0; });
+  });
+}
+
+std::vector<double> ExpansionSizes::all_rates(const State& state) const {
+  return largest_order(state, [](const Term&) { return true; });
+}
+
 std::vector<double> ExpansionSizes::largest_rates(const State& state) const {
-  const auto largest_of = [&](const auto& counts) {
-    std::vector<double> largest;
-    for (const std::vector<double>& orders : sizes(rate_, state, counts))
-      largest.push_back(*std::max_element(orders.begin(), orders.end()));
-    return largest;
-  };
-  std::vector<double> result = largest_of([](const Term& term) { return term.degree != 1; });
+  std::vector<double> result = largest_order(state, [](const Term& term) { return term.degree != 1; });
   if (std::find(result.begin(), result.end(), 0.0) == result.end()) return result;
-  const std::vector<double> all = largest_of([](const Term&) { return true; });
+  const std::vector<double> all = all_rates(state);
   for (std::size_t k = 0; k < modes_; ++k)
     if (result[k] == 0) result[k] = all[k];
   return result;

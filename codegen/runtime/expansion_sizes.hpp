@@ -34,11 +34,16 @@ class ExpansionSizes {
   /// a mode without any of these, of all its terms. What an expansion leaves out is to be smaller than that. (Than
   /// its largest order, since the last one may be small by symmetry or for want of a coefficient.)
   std::vector<double> largest_rates(const State& state) const;
+  /// [mode]: the same of all terms of dA/dt.
+  std::vector<double> all_rates(const State& state) const;
   /// Whether dA/dt is a sum of terms, as largest_rates needs it; not where it takes quadrature.
   bool tells_rates() const { return tells_rates_; }
   /// Whether terms that are not linear in amplitudes and excitation vanish beside those that are as all of these
   /// shrink; not with dry friction.
   bool linear_when_small() const { return linear_when_small_; }
+  /// Whether the displacement has a part without amplitudes and excitation: a constant force moves the rest
+  /// position.
+  bool moves_rest(const State& state) const;
 
  private:
   struct Term {
@@ -48,6 +53,8 @@ class ExpansionSizes {
     Monomial monomial;
   };
   /// [mode][order]: sums of moduli of the terms that `counts` says to count.
+  template <class Counts>
+  std::vector<double> largest_order(const State& state, const Counts& counts) const;
   template <class Counts>
   std::vector<std::vector<double>> sizes(const std::vector<Term>& terms, const State& state,
                                          const Counts& counts) const;

@@ -153,6 +153,34 @@ TEST_F(PredictRange, ABranchBeyondTheHilltopIsMarked) {
   }
 }
 
+// x'' + 0.1 x' + x + x^3 = p + 0.04 cos(Omega t) with p = 1/2 swings about x = 0.42, where its frequency is 1.24,
+// not 1: the expansion about zero, which has nothing of that, is marked everywhere. A thousandth of that load is as
+// good as none.
+TEST_F(PredictRange, ALoadThatStiffensIsMarkedAndSaid) {
+  write("load.toml", R"toml(schema = 1
+name = "load"
+[[mode]]
+coordinate = "x"
+frequency = "w"
+equation = "D2(x) + w^2*x + 2*mu*D(x) + b*x^3 = p + k*F*cos(Omega*t)"
+[[case]]
+name = "primary"
+relations = ["Omega = w + eps^2*sigma"]
+order = { mu = 2, b = 2, p = 1, k = 2 }
+expand_to = 2
+)toml");
+  for (const auto& [p, far] : {std::pair{"0.5", true}, std::pair{"0.0005", false}, std::pair{"0", false}}) {
+    write("numbers.json", std::string(R"({"w":1,"mu":0.05,"b":1,"k":1,"p":)") + p + "}");
+    const nlohmann::json found =
+        predict((folder_ / "load.toml").string() + " --parameters " + (folder_ / "numbers.json").string() +
+                " --at F=0.04 --vary Omega 0.95 1.06");
+    for (const auto& branch : found["branches"])
+      for (const auto& point : branch["points"]) EXPECT_EQ(point["outside_expansion"].get<bool>(), far) << p;
+    const std::string warnings = found["warnings"].dump();
+    EXPECT_EQ(warnings.find("a constant force") != std::string::npos, std::string(p) != "0") << warnings;
+  }
+}
+
 // With friction the linear part of what the expansion leaves has no limit at small motions.
 TEST_F(PredictRange, FrictionAndLinearModelsAreInside) {
   write("friction.toml", R"toml(schema = 1

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "perturb/derivation.hpp"
+#include "thesis/verify/identity_check.hpp"
 #include "thesis/verify/printed_source.hpp"
 #include "thesis/verify/statement_check.hpp"
 #include "thesis/verify/table_arithmetic.hpp"
@@ -23,6 +24,11 @@ inline int verify_anything(std::string_view text, const Derivation& derivation) 
       if (statement.corrected) check.holds(statement, *statement.corrected);
     }
   }
+  for (const PrintedIdentity& identity : source.identities) {
+    if (check_identity(identity, identity.printed).holds) ++right;
+    if (identity.corrected) check_identity(identity, *identity.corrected);
+  }
+  for (const PrintedMatrix& matrix : source.matrices) wrong_entries(matrix);
   for (const PrintedArithmetic& arithmetic : source.arithmetic) check_arithmetic(arithmetic);
   return right;
 }

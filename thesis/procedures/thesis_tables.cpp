@@ -4,7 +4,8 @@ namespace secular::app {
 namespace {
 
 // S. O'F. Fahey, dissertation, Virginia Tech, 2000. Quadratic lumps of (5.38) are printed over 6 w0^2, with w0 from
-// 12.39 Hz; Table 5.4 halves Table 5.2's, as amplitudes there are full peaks.
+// 12.39 Hz; Table 5.4 halves Table 5.2's lump and
+// quarters Table 5.3's alpha_e, as amplitudes twice as large do, but keeps mu3, which they would quarter as well.
 constexpr double six_w2 = 6 * 77.84866595595507 * 77.84866595595507;
 
 constexpr PrintedValue values[] = {

@@ -1,5 +1,6 @@
 #include "thesis/verify/printed_formula.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -11,8 +12,17 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::array<FormulaFunction, 9> printed_functions = {
-    {{"E", 1}, {"conj", 1}, {"cc", 1}, {"D0", 1}, {"D1", 1}, {"D2", 1}, {"abs", 1}, {"cos", 1}, {"sin", 1}}};
+constexpr std::array<FormulaFunction, 11> printed_functions = {{{"E", 1},
+                                                                {"conj", 1},
+                                                                {"cc", 1},
+                                                                {"D0", 1},
+                                                                {"D1", 1},
+                                                                {"D2", 1},
+                                                                {"abs", 1},
+                                                                {"cos", 1},
+                                                                {"sin", 1},
+                                                                {"cis", 1},
+                                                                {"line", 2}}};
 
 ex real_symbol(const std::string& name) {
   return GiNaC::realsymbol(name);
@@ -90,42 +100,44 @@ PrintedFormula::PrintedFormula(const PrintedChapter& chapter, const Derivation& 
   }
 }
 
-// gamma as integers over slow phases and beta.
-void PrintedFormula::read_gamma() {
-  const PrintedChapter& chapter = chapter_;
+PrintedFormula::PhaseCombination PrintedFormula::phase_combination(const FormulaSource& source) const {
   const Model& model = *derivation_.model;
   std::map<std::string, ex> betas;
-  for (const std::string& s : chapter.suffixes) betas["beta" + s] = real_symbol("beta" + s);
-  const Expression parsed = parse_expression(chapter.gamma, printed_functions);
-  const ex gamma = formula_value(parsed, chapter.gamma, [&](const Expression& e) -> ex {
+  for (const std::string& s : chapter_.suffixes) betas["beta" + s] = real_symbol("beta" + s);
+  const Expression parsed = parse_expression(source, printed_functions);
+  const ex phase = formula_value(parsed, source, [&](const Expression& e) -> ex {
                      const auto beta = betas.find(e.text);
                      if (beta != betas.end()) return beta->second;
                      if (model.symbols.contains(e.text)) return model.symbols.at(e.text);
-                     fail_at(chapter.gamma, e.place, "unknown symbol '" + e.text + "'", "detunings and phases");
+                     fail_at(source, e.place, "unknown symbol '" + e.text + "'", "detunings and phases");
                    }).expand();
   const auto refuse = [&] {
-    fail_at(chapter.gamma, parsed.place, "is not an integer combination of detunings and phases",
+    fail_at(source, parsed.place, "is not an integer combination of detunings and phases",
             "for example sigma - 2*beta");
   };
-  ex rest = gamma;
+  ex rest = phase;
   const auto integer = [&](const ex& symbol) {
-    const ex coefficient = gamma.coeff(symbol, 1);
+    const ex coefficient = phase.coeff(symbol, 1);
     if (!GiNaC::is_a<GiNaC::numeric>(coefficient) || !GiNaC::ex_to<GiNaC::numeric>(coefficient).is_integer() ||
         GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(coefficient)) > largest_exponent)
       refuse();
     rest -= coefficient * symbol;
     return GiNaC::ex_to<GiNaC::numeric>(coefficient).to_int();
   };
-  gamma_rate_ = 0;
-  for (std::size_t r = 0; r < detuning_.size(); ++r) {
-    gamma_slow_.push_back(integer(detuning_[r]));
-    gamma_rate_ += gamma_slow_.back() * detuning_[r];
-  }
-  for (std::size_t k = 0; k < model.modes.size(); ++k) {
-    gamma_phases_.push_back(integer(betas["beta" + chapter.suffixes[k]]));
-    gamma_rate_ += gamma_phases_.back() * phase_rate_[k];
-  }
+  PhaseCombination turns;
+  for (const ex& detuning : detuning_) turns.slow.push_back(integer(detuning));
+  for (const std::string& s : chapter_.suffixes) turns.phases.push_back(integer(betas["beta" + s]));
   if (!rest.expand().is_zero()) refuse();
+  return turns;
+}
+
+void PrintedFormula::read_gamma() {
+  const PhaseCombination turns = phase_combination(chapter_.gamma);
+  gamma_slow_ = turns.slow;
+  gamma_phases_ = turns.phases;
+  gamma_rate_ = 0;
+  for (std::size_t r = 0; r < detuning_.size(); ++r) gamma_rate_ += gamma_slow_[r] * detuning_[r];
+  for (std::size_t k = 0; k < gamma_phases_.size(); ++k) gamma_rate_ += gamma_phases_[k] * phase_rate_[k];
 }
 
 ex PrintedFormula::read(const FormulaSource& source) const {
@@ -152,9 +164,11 @@ ex PrintedFormula::value(const Expression& e, const FormulaSource& source) const
         for (std::size_t n = 0; n < chapter_.unknowns[k].size(); ++n)
           if (chapter_.unknowns[k][n] == e.text) return unknown(k, n, {0, 0, 0});
       const auto found = names_.find(e.text);
-      if (found == names_.end())
-        fail_at(source, e.place, "unknown symbol '" + e.text + "'", "a symbol of the model or of the chapter");
-      return found->second;
+      if (found != names_.end()) return found->second;
+      const std::vector<Mode>& modes = derivation_.model->modes;
+      for (std::size_t k = 0; k < modes.size(); ++k)
+        if (modes[k].coordinate == e.text) return unknown(k, 0, {0, 0, 0});
+      fail_at(source, e.place, "unknown symbol '" + e.text + "'", "a symbol of the model or of the chapter");
     }
     case Expression::Kind::sum: {
       ex sum = 0;
@@ -193,11 +207,52 @@ ex PrintedFormula::call(const Expression& e, const FormulaSource& source) const 
     const ex forward = exponential(argument, source, true);
     return e.text == "cos" ? (forward + 1 / forward) / 2 : (forward - 1 / forward) / (2 * GiNaC::I);
   }
+  if (e.text == "cis") return exponential(argument, source, true);
+  if (e.text == "line") return line(e, source);
   const ex inside = value(argument, source);
   if (e.text == "conj") return conjugated(inside);
   if (e.text == "cc") return inside + conjugated(inside);
   if (e.text == "abs") return absolute(inside);
   return slow_scale_derivative(inside, static_cast<std::size_t>(e.text[1] - '0'));
+}
+
+// line(coordinate or excitation amplitude, frequency)
+ex PrintedFormula::line(const Expression& e, const FormulaSource& source) const {
+  const Model& model = *derivation_.model;
+  const ex wave = exponential(e.operands[1], source, false);
+  std::vector<int> multiples;
+  for (const ex& mode_wave : wave_) multiples.push_back(wave.degree(mode_wave));
+  const std::string& name = e.operands[0].text;
+  for (std::size_t k = 0; k < model.modes.size(); ++k)
+    if (model.modes[k].coordinate == name) return lines_ ? lines_(k, multiples) : response_line(k, multiples);
+  for (std::size_t j = 0; j < model.excitations.size(); ++j) {
+    if (model.excitations[j].amplitude != name) continue;
+    ex slow = excitation_wave(j, 1);
+    for (std::size_t k = 0; k < wave_.size(); ++k) slow *= GiNaC::pow(wave_[k], -multiples[k]);
+    const bool at_it = std::none_of(wave_.begin(), wave_.end(), [&](const ex& w) { return slow.has(w); });
+    return at_it ? model.symbols.at(name) * slow : ex(0);
+  }
+  fail_at(source, e.operands[0].place, "is neither a coordinate nor an excitation's amplitude",
+          "line(" + model.modes[0].coordinate + ", frequency)");
+}
+
+ex PrintedFormula::response_line(std::size_t mode, const std::vector<int>& multiples) const {
+  for (const Field& order : derivation_.response[mode]) {
+    ex sum = 0;
+    for (const auto& [key, coefficient] : order.terms()) {
+      Field one;
+      one.add(key, 1);
+      const ex term = field(one);
+      bool same = true;
+      for (std::size_t k = 0; k < wave_.size(); ++k) same = same && term.degree(wave_[k]) == multiples[k];
+      if (!same) continue;
+      ex slow = 2 * coefficient * term;
+      for (std::size_t k = 0; k < wave_.size(); ++k) slow *= GiNaC::pow(wave_[k], -multiples[k]);
+      sum += slow;
+    }
+    if (!sum.is_zero()) return sum;
+  }
+  return 0;
 }
 
 ex PrintedFormula::exponential(const Expression& angle, const FormulaSource& source, bool timed) const {

@@ -2,6 +2,7 @@
 
 #include <ginac/ginac.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,11 +29,21 @@ class PrintedFormula {
   GiNaC::ex conjugated(const GiNaC::ex& expression) const;
   /// A_k = a_k exp(i beta_k)/2 and what belongs to it.
   GiNaC::ex in_polar_form(const GiNaC::ex& expression) const;
+  /// Integers of a combination of slow phases (each named by its detuning) and of beta. Throws InputError.
+  struct PhaseCombination {
+    std::vector<int> slow, phases;
+  };
+  PhaseCombination phase_combination(const FormulaSource& source) const;
   /// Excitation frequencies at their resonant values.
   GiNaC::ex at_resonance(const GiNaC::ex& expression) const;
 
   /// Replaces the value of a definition, to see what a printed one does.
   void set_definition(const std::string& name, const GiNaC::ex& value) { names_[name] = value; }
+
+  /// One-sided Fourier coefficient of a mode at the frequency with these multiples of the natural frequencies: c of
+  /// Re(c exp(i f t)). Without a source of one's own, the lowest order of the response that has that frequency.
+  using Lines = std::function<GiNaC::ex(std::size_t mode, const std::vector<int>& multiples)>;
+  void set_lines(Lines lines) { lines_ = std::move(lines); }
 
   const GiNaC::ex& amplitude(std::size_t mode) const { return amplitude_[mode]; }
   const GiNaC::ex& conjugate_amplitude(std::size_t mode) const { return conjugate_[mode]; }
@@ -72,6 +83,8 @@ class PrintedFormula {
   void read_gamma();
   GiNaC::ex value(const Expression& e, const FormulaSource& source) const;
   GiNaC::ex call(const Expression& e, const FormulaSource& source) const;
+  GiNaC::ex line(const Expression& e, const FormulaSource& source) const;
+  GiNaC::ex response_line(std::size_t mode, const std::vector<int>& multiples) const;
   GiNaC::ex slow_scale_derivative(const GiNaC::ex& expression, std::size_t scale) const;
   /// exp(i angle) for an angle linear in frequencies (times t where `timed`), detunings, phases and gamma.
   GiNaC::ex exponential(const Expression& angle, const FormulaSource& source, bool timed) const;
@@ -86,6 +99,7 @@ class PrintedFormula {
   std::vector<GiNaC::ex> detuning_;
   std::vector<int> gamma_slow_, gamma_phases_;
   GiNaC::ex gamma_rate_;
+  Lines lines_;
   struct Jet {
     std::size_t mode, order;
     std::vector<int> derivatives;

@@ -24,6 +24,13 @@ std::vector<std::string> strings_or_none(const TomlTable& table, const std::stri
   return table.has(key) ? table.strings(key) : std::vector<std::string>{};
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
 PrintedPlace place_of(const TomlTable& table) {
   PrintedPlace place{table.file(), table.line(), {}};
   for (const std::string& key : table.keys()) place.lines[key] = table.line_of(key);
@@ -39,13 +46,16 @@ int integer_within(const TomlTable& table, const std::string& key, std::int64_t 
   return static_cast<int>(value);
 }
 
-void require_one_of(const TomlTable& table, const std::string& key, const std::vector<std::string>& known) {
-  const std::string value = table.string(key);
+void require_one_of(const TomlTable& table, const std::string& key, const std::string& value,
+                    const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), value) != known.end()) return;
   std::string right;
   for (std::size_t i = 0; i < known.size(); ++i)
     right += (i == 0 ? "" : i + 1 < known.size() ? ", " : " or ") + known[i];
   table.fail(key, "is '" + value + "'", right);
+}
+void require_one_of(const TomlTable& table, const std::string& key, const std::vector<std::string>& known) {
+  require_one_of(table, key, table.string(key), known);
 }
 
 void require_different(const TomlTable& table, const std::string& key, std::vector<std::string> names) {
@@ -77,6 +87,13 @@ const std::vector<KindOfStatement>& kinds_of_statement() {
                                                      {"saddle_node", {"solve_for"}, false, 3},
                                                      {"threshold", {}, false, 0},
                                                      {"fourier_mean", {"of"}, true, 0},
+                                                     {"motion", {}, true, 0},
+                                                     {"detuning", {}, false, 0},
+                                                     {"expansion", {}, true, 0},
+                                                     {"time_derivative", {"order"}, false, 0},
+                                                     {"polar_form", {}, true, 0},
+                                                     {"phase", {}, false, 0},
+                                                     {"line", {}, false, 0},
                                                      {"special_case", {"of"}, false, 0},
                                                      {"identity", {}, false, 0}};
   return kinds;
@@ -96,12 +113,7 @@ PrintedChapter read_chapter(const TomlTable& table) {
   chapter.number = integer_within(table, "number", 0, highest_chapter);
   chapter.model = table.string("model");
   chapter.resonance = table.string("case");
-  for (const std::string& row : table.strings("unknowns")) {
-    std::istringstream words(row);
-    std::vector<std::string> names;
-    for (std::string name; words >> name;) names.push_back(name);
-    chapter.unknowns.push_back(names);
-  }
+  for (const std::string& row : table.strings("unknowns")) chapter.unknowns.push_back(words_of(row));
   std::vector<std::string> all;
   for (const std::vector<std::string>& names : chapter.unknowns) all.insert(all.end(), names.begin(), names.end());
   require_different(table, "unknowns", all);
@@ -189,8 +201,7 @@ PrintedStatement read_statement(const TomlTable& table, const std::vector<Printe
 constexpr std::size_t most_entries = 12;
 
 // A decimal number as a table prints it, with as many digits and as large an exponent as double precision has.
-void require_digits(const TomlTable& table, const std::string& key) {
-  const std::string text = table.string(key);
+void require_digits(const TomlTable& table, const std::string& key, const std::string& text) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
@@ -201,17 +212,89 @@ void require_digits(const TomlTable& table, const std::string& key) {
     table.fail(key, "is '" + text.substr(0, 40) + "'", "a decimal number as printed, for example -10.62e6");
 }
 
-PrintedArithmetic read_arithmetic(const TomlTable& table) {
-  table.refuse_unknown_keys({"table", "entry", "printed", "formula", "from", "verdict", "reason"});
-  PrintedArithmetic arithmetic{
-      table.string("table"),   table.string("entry"),        table.string("printed"), formula(table, "formula"), {},
-      table.string("verdict"), table.string_or("reason", "")};
+// Rows and columns of a matrix that a source prints or talks about.
+constexpr std::size_t largest_matrix = 16;
+
+// Rows as strings of digits with blanks between.
+std::vector<std::vector<std::string>> digit_rows(const TomlTable& table, const std::string& key) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& row : table.strings(key)) {
+    rows.push_back(words_of(row));
+    for (const std::string& digits : rows.back()) require_digits(table, key, digits);
+  }
+  const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+  const bool same = std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return row.size() == columns; });
+  if (columns == 0 || !same || columns > largest_matrix || rows.size() > largest_matrix)
+    table.fail(key, "is no matrix",
+               "rows of equally many numbers, at most " + std::to_string(largest_matrix) + " of both");
+  return rows;
+}
+
+PrintedMatrix read_matrix(const TomlTable& table) {
+  table.refuse_unknown_keys({"equation", "part", "printed", "formula", "from", "verdict", "reason"});
+  PrintedMatrix matrix{table.string("equation"),
+                       table.string_or("part", ""),
+                       digit_rows(table, "printed"),
+                       formula(table, "formula"),
+                       {},
+                       table.string("verdict"),
+                       table.string_or("reason", "")};
   require_one_of(table, "verdict", {"agrees", "disagrees"});
-  require_digits(table, "printed");
+  const TomlTable from = table.table("from");
+  for (const std::string& name : from.keys()) matrix.from[name] = digit_rows(from, name);
+  return matrix;
+}
+
+PrintedIdentity read_identity(const TomlTable& table) {
+  table.refuse_unknown_keys(
+      {"equation", "part", "printed", "corrected", "define", "sizes", "complex", "verdict", "reason", "remark"});
+  PrintedIdentity identity;
+  identity.equation = table.string("equation");
+  identity.part = table.string_or("part", "");
+  identity.printed = formula(table, "printed");
+  identity.corrected = optional_formula(table, "corrected");
+  for (const std::string& line : strings_or_none(table, "define")) {
+    const std::size_t at = line.find('=');
+    const std::vector<std::string> name = words_of(line.substr(0, at));
+    if (at == std::string::npos || name.size() != 1)
+      table.fail("define", "has '" + line.substr(0, 40) + "'", "name = formula");
+    identity.define.emplace_back(
+        name[0], FormulaSource{line.substr(at + 1), table.file(), table.first_text_line_of("define")});
+  }
+  if (table.has("sizes")) {
+    const TomlTable sizes = table.table("sizes");
+    for (const std::string& name : sizes.keys()) {
+      const std::vector<double> size = sizes.numbers(name);
+      const auto possible = [](double n) { return n == std::floor(n) && n >= 1 && n <= largest_matrix; };
+      if (size.size() != 2 || !possible(size[0]) || !possible(size[1]))
+        sizes.fail(name, "is no size of a matrix",
+                   "[rows, columns], at most " + std::to_string(largest_matrix) + " of both");
+      identity.sizes[name] = {static_cast<int>(size[0]), static_cast<int>(size[1])};
+    }
+  }
+  identity.complex = strings_or_none(table, "complex");
+  identity.verdict = table.string("verdict");
+  require_one_of(table, "verdict", {"confirmed", "convention", "misprint"});
+  if (identity.verdict != "confirmed" && !identity.corrected)
+    table.fail("verdict", "is '" + identity.verdict + "' without a corrected form", "give `corrected`");
+  identity.reason = table.string_or("reason", "");
+  identity.remark = table.string_or("remark", "");
+  return identity;
+}
+
+PrintedArithmetic read_arithmetic(const TomlTable& table) {
+  table.refuse_unknown_keys({"table", "entry", "printed", "claim", "formula", "from", "verdict", "reason"});
+  PrintedArithmetic arithmetic{table.string("table"),     table.string("entry"),
+                               table.string("printed"),   table.string_or("claim", "equals"),
+                               formula(table, "formula"), {},
+                               table.string("verdict"),   table.string_or("reason", "")};
+  require_one_of(table, "claim", arithmetic.claim, {"equals", "at least", "at most"});
+  require_one_of(table, "verdict", {"agrees", "disagrees"});
+  require_digits(table, "printed", arithmetic.printed);
   const TomlTable from = table.table("from");
   for (const std::string& name : from.keys()) {
-    require_digits(from, name);
     arithmetic.from[name] = from.string(name);
+    require_digits(from, name, arithmetic.from[name]);
   }
   if (arithmetic.from.size() > most_entries)
     table.fail("from", "has " + std::to_string(arithmetic.from.size()) + " entries",
@@ -220,7 +303,8 @@ PrintedArithmetic read_arithmetic(const TomlTable& table) {
 }
 
 PrintedSource source_of(const TomlTable& root) {
-  root.refuse_unknown_keys({"schema", "name", "source", "chapter", "statement", "arithmetic", "symmetry"});
+  root.refuse_unknown_keys(
+      {"schema", "name", "source", "chapter", "statement", "identity", "arithmetic", "matrix", "symmetry"});
   if (root.integer("schema") != 1) root.fail("schema", "is not 1", "this program reads schema 1");
   PrintedSource source;
   source.file = root.file();
@@ -234,7 +318,9 @@ PrintedSource source_of(const TomlTable& root) {
   }
   for (const TomlTable& table : root.tables("statement"))
     source.statements.push_back(read_statement(table, source.chapters));
+  for (const TomlTable& table : root.tables("identity")) source.identities.push_back(read_identity(table));
   for (const TomlTable& table : root.tables("arithmetic")) source.arithmetic.push_back(read_arithmetic(table));
+  for (const TomlTable& table : root.tables("matrix")) source.matrices.push_back(read_matrix(table));
   for (const TomlTable& table : root.tables("symmetry")) {
     table.refuse_unknown_keys({"equations", "model", "without", "verdict"});
     require_one_of(table, "verdict", {"confirmed", "misprint"});

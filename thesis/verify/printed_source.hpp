@@ -60,10 +60,33 @@ struct PrintedChapter {
 /// A table entry that follows from other entries: all numbers as printed.
 struct PrintedArithmetic {
   std::string table, entry, printed;
+  std::string claim;  ///< the formula `equals` the printed entry, or is `at least` or `at most` that
   FormulaSource formula;
   std::map<std::string, std::string> from;
   std::string verdict;  ///< agrees or disagrees
   std::string reason;
+};
+
+/// A printed matrix that follows from other printed matrices, by rows.
+struct PrintedMatrix {
+  std::string equation, part;
+  std::vector<std::vector<std::string>> printed;
+  FormulaSource formula;
+  std::map<std::string, std::vector<std::vector<std::string>>> from;
+  std::string verdict;  ///< agrees or disagrees
+  std::string reason;
+};
+
+/// An equation between symbols that stand for any number or matrix: no model has a part in it.
+struct PrintedIdentity {
+  std::string equation, part;
+  FormulaSource printed;
+  std::optional<FormulaSource> corrected;
+  std::vector<std::pair<std::string, FormulaSource>> define;  ///< in this order
+  std::map<std::string, std::pair<int, int>> sizes;           ///< rows and columns of what is a matrix
+  std::vector<std::string> complex;                           ///< symbols that are complex
+  std::string verdict;                                        ///< confirmed, convention or misprint
+  std::string reason, remark;
 };
 
 /// Equations that have to follow from a Lagrangian.
@@ -78,7 +101,9 @@ struct PrintedSource {
   std::string file, name, source;
   std::vector<PrintedChapter> chapters;
   std::vector<PrintedStatement> statements;
+  std::vector<PrintedIdentity> identities;
   std::vector<PrintedArithmetic> arithmetic;
+  std::vector<PrintedMatrix> matrices;
   std::vector<PrintedSymmetry> symmetries;
 };
 

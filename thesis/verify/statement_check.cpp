@@ -9,6 +9,7 @@
 #include "perturb/prime_field.hpp"
 #include "thesis/verify/evaluation.hpp"
 #include "thesis/verify/order_equation.hpp"
+#include "thesis/verify/scheme_check.hpp"
 
 namespace secular::verify {
 namespace {
@@ -50,9 +51,10 @@ void StatementCheck::require_possible(const PrintedStatement& statement) const {
   if (statement.mode < 0 || statement.mode >= modes)
     statement.place.fail("mode", "is " + std::to_string(statement.mode + 1),
                          "model " + derivation_.model->name + " has " + std::to_string(modes));
-  // Equations of an order are written with D0, D1 and D2.
-  const int highest = statement.kind == "order_equation" ? std::min(expanded, 2) : expanded;
-  const int lowest = statement.kind == "forcing" ? 1 : 0;
+  // Equations of an order are written with D0, D1 and D2; derivatives by time are the first and the second.
+  const bool by_time = statement.kind == "time_derivative";
+  const int highest = by_time ? 2 : statement.kind == "order_equation" ? std::min(expanded, 2) : expanded;
+  const int lowest = by_time || statement.kind == "forcing" ? 1 : 0;
   if (statement.order < lowest || statement.order > highest)
     statement.place.fail("order", "is " + std::to_string(statement.order),
                          "case " + derivation_.resonance->name + " has orders " + std::to_string(lowest) + " to " +
@@ -145,6 +147,9 @@ bool StatementCheck::compared(const PrintedStatement& statement, const FormulaSo
     const ex forward = GiNaC::I * derivation_.model->frequency(k) * formula_.amplitude(k) * formula_.wave(k);
     return vanishes_at_resonance(formula_.read(text) - forward - formula_.conjugated(forward), statement);
   }
+  if (const auto scheme = scheme_difference(statement, text)) return vanishes_at_resonance(*scheme, statement);
+  if (statement.kind == "phase") return phase_leaves_rates(statement, text);
+  if (statement.kind == "line") return vanishes_at_resonance(formula_.difference(text), statement);
   if (statement.kind == "modulation")
     return vanishes_at_resonance(with_engine_rates(formula_.difference(text)), statement);
   if (statement.kind == "definition") {
@@ -166,6 +171,28 @@ bool StatementCheck::compared(const PrintedStatement& statement, const FormulaSo
     return vanishes_at_resonance(formula_.read(text) - formula_.read(*statement.of), statement);
   if (statement.kind == "identity") return vanishes_at_resonance(formula_.difference(text), statement);
   throw std::logic_error("no check for statements of kind " + statement.kind);
+}
+
+// What is left of a statement of what the derivation lays down; nothing for other kinds.
+std::optional<ex> StatementCheck::scheme_difference(const PrintedStatement& statement,
+                                                    const FormulaSource& text) const {
+  const auto k = static_cast<std::size_t>(statement.mode);
+  if (statement.kind == "motion") return formula_.difference(text) - ordered_motion(formula_, derivation_, k);
+  if (statement.kind == "expansion") return formula_.read(text) - expansion(formula_, derivation_, k);
+  if (statement.kind == "time_derivative") return formula_.read(text) - time_derivative(formula_, statement.order);
+  if (statement.kind == "polar_form") return formula_.read(text) - formula_.in_polar_form(formula_.amplitude(k));
+  if (statement.kind == "detuning")
+    return substituted(formula_.difference(text), detuned_frequencies(formula_, derivation_));
+  return {};
+}
+
+// The rates of a and beta hang on time and on beta through this combination of phases alone.
+bool StatementCheck::phase_leaves_rates(const PrintedStatement& statement, const FormulaSource& text) const {
+  const PrintedFormula::PhaseCombination turns = formula_.phase_combination(text);
+  const GiNaC::exmap turned = turned_phases(formula_, turns.slow, turns.phases);
+  return std::all_of(polar_rates_.begin(), polar_rates_.end(), [&](const auto& rate) {
+    return vanishes_at_resonance(rate.second - substituted(rate.second, turned), statement);
+  });
 }
 
 // Of a condition by what it is solved for, in which it has to be linear.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "thesis/verify/printed_formula.hpp"
@@ -25,6 +26,8 @@ class StatementCheck {
   const GiNaC::ex& named(const PrintedStatement& statement, const char* key, const std::string& name) const;
   GiNaC::ex slope_by(const PrintedStatement& statement, const GiNaC::ex& condition, const GiNaC::ex& unknown) const;
   bool vanishes_at_resonance(const GiNaC::ex& difference, const PrintedStatement& statement) const;
+  std::optional<GiNaC::ex> scheme_difference(const PrintedStatement& statement, const FormulaSource& text) const;
+  bool phase_leaves_rates(const PrintedStatement& statement, const FormulaSource& text) const;
   GiNaC::ex forcing(const PrintedStatement& statement) const;
   GiNaC::ex definition(const PrintedStatement& statement) const;
   GiNaC::ex with_engine_rates(const GiNaC::ex& expression) const;

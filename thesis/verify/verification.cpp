@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <list>
 #include <memory>
+#include <tuple>
 
+#include "thesis/verify/changed_term.hpp"
 #include "thesis/verify/convergence_proof.hpp"
+#include "thesis/verify/identity_check.hpp"
 #include "thesis/verify/lagrangian_symmetry.hpp"
 #include "thesis/verify/statement_check.hpp"
 #include "thesis/verify/table_arithmetic.hpp"
@@ -30,6 +33,7 @@ std::string one_line(const std::string& text) {
       result += c;
     else if (!result.empty() && result.back() != ' ')
       result += ' ';
+  while (result.ends_with(' ')) result.pop_back();
   return result;
 }
 
@@ -41,6 +45,7 @@ Verdict judged(const PrintedStatement& statement, const OpenChapter& open, const
   verdict.kind = statement.kind;
   verdict.recorded = statement.verdict;
   verdict.remark = statement.remark;
+  verdict.printed = one_line(statement.printed.text);
   if (open.check->holds(statement, statement.printed)) {
     verdict.verdict = "confirmed";
     return verdict;
@@ -52,6 +57,7 @@ Verdict judged(const PrintedStatement& statement, const OpenChapter& open, const
   verdict.verdict = statement.verdict == "convention" ? "convention" : "misprint";
   verdict.reason = statement.reason;
   verdict.corrected = one_line(statement.corrected->text);
+  std::tie(verdict.term_printed, verdict.term_right) = changed_term(verdict.printed, verdict.corrected);
   if (verdict.verdict != "misprint" || !proofs || !can_be_measured(statement)) return verdict;
   const auto inside = std::find_if(
       source.statements.begin(), source.statements.end(),
@@ -66,17 +72,58 @@ Verdict judged(const PrintedStatement& statement, const OpenChapter& open, const
   return verdict;
 }
 
+Verdict judged(const PrintedIdentity& identity) {
+  Verdict verdict;
+  verdict.equation = identity.equation;
+  verdict.part = identity.part;
+  verdict.kind = "identity";
+  verdict.recorded = identity.verdict;
+  verdict.remark = identity.remark;
+  verdict.printed = one_line(identity.printed.text);
+  const IdentityCheck printed = check_identity(identity, identity.printed);
+  verdict.verdict = printed.holds ? "confirmed" : "unresolved";
+  if (printed.holds || !identity.corrected) return verdict;
+  const IdentityCheck corrected = check_identity(identity, *identity.corrected);
+  if (!corrected.holds) return verdict;
+  verdict.verdict = identity.verdict == "convention" ? "convention" : "misprint";
+  verdict.reason = identity.reason;
+  verdict.corrected = one_line(identity.corrected->text);
+  std::tie(verdict.term_printed, verdict.term_right) = changed_term(verdict.printed, verdict.corrected);
+  verdict.proof =
+      (printed.why.empty()
+           ? fmt::format("at random values the printed sides differ by {:.2g} of their size", printed.largest)
+           : "as printed " + printed.why) +
+      fmt::format(", the corrected ones by {:.0e}", corrected.largest);
+  return verdict;
+}
+
+Verdict judged(const PrintedMatrix& matrix) {
+  Verdict verdict;
+  verdict.equation = matrix.equation;
+  verdict.part = matrix.part;
+  verdict.kind = "matrix";
+  verdict.recorded = matrix.verdict;
+  const std::vector<std::string> wrong = wrong_entries(matrix);
+  verdict.verdict = wrong.empty() ? "agrees" : "disagrees";
+  verdict.reason = matrix.formula.text + " from the rounded entries";
+  for (const std::string& one : wrong) verdict.reason += "; " + one;
+  if (!matrix.reason.empty()) verdict.reason += "; " + matrix.reason;
+  return verdict;
+}
+
 Verdict judged(const PrintedArithmetic& arithmetic) {
   const ArithmeticCheck check = check_arithmetic(arithmetic);
   Verdict verdict;
-  verdict.equation = "Table " + arithmetic.table;
+  const bool is_text = arithmetic.table.starts_with("section ");
+  verdict.equation = is_text ? arithmetic.table : "Table " + arithmetic.table;
+  verdict.printed = arithmetic.printed;
   verdict.part = arithmetic.entry;
   verdict.kind = "arithmetic";
   verdict.recorded = arithmetic.verdict;
   verdict.verdict = check.agrees ? "agrees" : "disagrees";
-  verdict.reason =
-      fmt::format("{} from the rounded entries is {:.4g} to {:.4g}, printed {}", arithmetic.formula.text,
-                  check.expected.low, check.expected.high, arithmetic.printed);
+  verdict.reason = fmt::format("{} from the rounded entries is {:.4g} to {:.4g}, printed {}{}",
+                               arithmetic.formula.text, check.expected.low, check.expected.high,
+                               arithmetic.claim == "equals" ? "" : arithmetic.claim + " ", arithmetic.printed);
   if (!arithmetic.reason.empty()) verdict.reason += "; " + arithmetic.reason;
   return verdict;
 }
@@ -126,6 +173,8 @@ std::vector<Verdict> verify_source(const PrintedSource& source,
   }
   for (const PrintedSymmetry& symmetry : source.symmetries)
     verdicts.push_back(judged(symmetry, find_model(symmetry.model)));
+  for (const PrintedIdentity& identity : source.identities) verdicts.push_back(judged(identity));
+  for (const PrintedMatrix& matrix : source.matrices) verdicts.push_back(judged(matrix));
   for (const PrintedArithmetic& arithmetic : source.arithmetic) verdicts.push_back(judged(arithmetic));
   return verdicts;
 }

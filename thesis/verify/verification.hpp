@@ -15,9 +15,11 @@ struct Verdict {
   std::string verdict;   ///< found: confirmed, convention, misprint, agrees, disagrees or unresolved
   std::string recorded;  ///< expected
   std::string reason, remark;
-  std::string corrected;  ///< right form of a misprint
-  std::string proof;      ///< what the full equations say of a misprint; empty where none is needed
-  bool proved = true;     ///< the proof, where there is one, decides for the corrected form
+  std::string printed;                   ///< as the source has it
+  std::string corrected;                 ///< right form of a misprint
+  std::string term_printed, term_right;  ///< what the right form changes
+  std::string proof;   ///< what decides a misprint beside the derivation; empty where nothing does
+  bool proved = true;  ///< the proof, where there is one, decides for the corrected form
   bool as_recorded() const { return verdict == recorded && proved; }
 };
 
