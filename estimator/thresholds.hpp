@@ -26,7 +26,6 @@ struct EstimatorThresholds {
   double shared_variance = 0.5;
   std::size_t replicates_needed = 4;
   double frequency_prior_sd = 0.005;
-  double dependent_moves = 1e-3;
   double noise_ratio = 4;
 };
 

@@ -64,9 +64,6 @@ inline constexpr std::array estimator_threshold_list = {
         "frequency_prior_sd", &EstimatorThresholds::frequency_prior_sd, ThresholdKind::tuned, "relative",
         "a natural frequency about the observed one where nothing else tells it (disclosed)",
         "no record of the draws", "identification/parameter_stage.cpp"},
-    Threshold<EstimatorThresholds>{"dependent_moves", &EstimatorThresholds::dependent_moves, ThresholdKind::tuned,
-                                   "share of their size", "moves of parameters that say nothing new",
-                                   "no record of the draws", "identification/parameter_stage.cpp"},
     Threshold<EstimatorThresholds>{
         "noise_ratio", &EstimatorThresholds::noise_ratio, ThresholdKind::tuned, "errors of the columns, squared",
         "a direction with less differs by its own errors", "docs/inference.md (5)", "regression/linear_fit.cpp"},
