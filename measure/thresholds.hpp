@@ -46,7 +46,6 @@ struct MeasureThresholds {
   double largest_detuning = 0.15;
   double same_level = 0.2;
   double dwell_drift = 0.01;
-  std::size_t halves_at_first = 7;
 };
 
 /// Those in use.

@@ -139,11 +139,6 @@ inline constexpr std::array measure_threshold_list = {
     Threshold<MeasureThresholds>{"dwell_drift", &MeasureThresholds::dwell_drift, ThresholdKind::tuned, "relative",
                                  "of the amplitude over a dwell that has settled", "no record of the draws",
                                  "observe/dwell_observation.cpp"},
-    Threshold<MeasureThresholds>{"halves_at_first", &MeasureThresholds::halves_at_first, ThresholdKind::tuned,
-                                 "half periods",
-                                 "of a swing that follows the largest excursion, beside one of which "
-                                 "a shorter one does not count",
-                                 "no record of the draws", "signal/free_decay.cpp"},
 };
 static_assert(sizeof(MeasureThresholds) == 8 * measure_threshold_list.size(), "each has its row");
 

@@ -44,10 +44,10 @@ std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level,
 /// needs, and one in three to spare.
 constexpr Index shortest_window = 16;
 
-/// Half periods that follow the largest excursion: two turns are what a tone is fitted over; a longer swing is
-/// looked for in both directions before so short a one is taken for it.
-constexpr std::size_t fewest_halves = 4;
-constexpr auto& halves_at_first = measure_thresholds().halves_at_first;
+/// Half periods that follow the largest excursion: two turns are what a tone is fitted over. A swing of twice as
+/// many has later ones to compare them with: it is looked for in both directions before a shorter one is taken for
+/// it.
+constexpr std::size_t fewest_halves = 4, halves_at_first = 2 * fewest_halves;
 
 /// Of the largest excursion, what counts as large as that.
 constexpr double as_large = 0.99;
