@@ -31,7 +31,7 @@ struct MeasureThresholds {
   std::size_t local_samples = 64;
   std::ptrdiff_t slow_terms = 4;
   double zero_level = 0.05;
-  double usual_residual = 3;
+  double as_large = 0.99;
   double disturbed_noise = 1.2;
   double disturbed_end = 3;
   double disturbed_share = 0.25;
