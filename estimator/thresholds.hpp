@@ -20,14 +20,12 @@ struct EstimatorThresholds {
   double outlier_false_alarm = 0.01;
   double interval_tail = 0.025;
   // Tuned.
-  double fewest_repeats_of_decays = 4;
+  double fewest_freedom = 4;
   double repeats_of_short_decays = 3;
   double near_dependency = 30;
   double shared_variance = 0.5;
   std::size_t replicates_needed = 4;
   double frequency_prior_sd = 0.005;
-  double dependent_moves = 1e-3;
-  std::ptrdiff_t fewest_clusters = 5;
   double noise_ratio = 4;
 };
 

@@ -39,10 +39,12 @@ inline constexpr std::array estimator_threshold_list = {
     Threshold<EstimatorThresholds>{"interval_tail", &EstimatorThresholds::interval_tail, ThresholdKind::alarm,
                                    "probability", "the truth is beyond one end of an interval", "95 % intervals",
                                    "identification/estimate_values.cpp, identification/record_scatter.cpp"},
-    Threshold<EstimatorThresholds>{"fewest_repeats_of_decays", &EstimatorThresholds::fewest_repeats_of_decays,
-                                   ThresholdKind::tuned, "degrees of freedom",
-                                   "windows of decays that tell a scatter", "docs/inference.md (14)",
-                                   "identification/lack_of_fit.cpp"},
+    Threshold<EstimatorThresholds>{
+        "fewest_freedom", &EstimatorThresholds::fewest_freedom, ThresholdKind::tuned, "degrees of freedom",
+        "that tell a scatter: of windows of decays, of conditions, of rows of tables",
+        "a standard deviation is known to 1/sqrt(2 n), a third; docs/inference.md (6), (14)",
+        "identification/lack_of_fit.cpp, identification/residual_information.cpp, regression/linear_fit.cpp, "
+        "measure/observe/tabled_tones.cpp"},
     Threshold<EstimatorThresholds>{"repeats_of_short_decays", &EstimatorThresholds::repeats_of_short_decays,
                                    ThresholdKind::tuned, "measured noise", "scatter where windows do not tell it",
                                    "draws of three short decays: right models 1.2 to 3.4, one without friction 21; "
@@ -62,12 +64,6 @@ inline constexpr std::array estimator_threshold_list = {
         "frequency_prior_sd", &EstimatorThresholds::frequency_prior_sd, ThresholdKind::tuned, "relative",
         "a natural frequency about the observed one where nothing else tells it (disclosed)",
         "no record of the draws", "identification/parameter_stage.cpp"},
-    Threshold<EstimatorThresholds>{"dependent_moves", &EstimatorThresholds::dependent_moves, ThresholdKind::tuned,
-                                   "share of their size", "moves of parameters that say nothing new",
-                                   "no record of the draws", "identification/parameter_stage.cpp"},
-    Threshold<EstimatorThresholds>{"fewest_clusters", &EstimatorThresholds::fewest_clusters, ThresholdKind::tuned,
-                                   "conditions", "that tell a covariance by their scatter", "docs/inference.md (6)",
-                                   "identification/residual_information.cpp, regression/linear_fit.cpp"},
     Threshold<EstimatorThresholds>{
         "noise_ratio", &EstimatorThresholds::noise_ratio, ThresholdKind::tuned, "errors of the columns, squared",
         "a direction with less differs by its own errors", "docs/inference.md (5)", "regression/linear_fit.cpp"},

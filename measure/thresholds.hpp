@@ -24,9 +24,6 @@ struct MeasureThresholds {
   std::size_t rarest_share = 16;
   double same_sample = 0.01;
   std::size_t clipped_run = 4;
-  double clipping_depth = 16;
-  double clipping_excess = 8;
-  double resting_share = 0.6;
   double two_level_share = 0.95;
   std::size_t coarse_levels = 64;
   double smallest_offset = 0.05;
@@ -34,7 +31,7 @@ struct MeasureThresholds {
   std::size_t local_samples = 64;
   std::ptrdiff_t slow_terms = 4;
   double zero_level = 0.05;
-  double usual_residual = 3;
+  double as_large = 0.99;
   double disturbed_noise = 1.2;
   double disturbed_end = 3;
   double disturbed_share = 0.25;
@@ -47,7 +44,6 @@ struct MeasureThresholds {
   double largest_detuning = 0.15;
   double same_level = 0.2;
   double dwell_drift = 0.01;
-  std::size_t halves_at_first = 7;
 };
 
 /// Those in use.

@@ -16,7 +16,7 @@ class GapSpan {
   /// Of slopes and finite changes, rows x any number of columns.
   explicit GapSpan(const Eigen::MatrixXd& columns);
 
-  /// By row: what it has of the squares in these directions (docs/inference.md (54)), and of their number. Sums over all rows are
+  /// By row: what it has of the squares in these directions (docs/inference.md (51)), and of their number. Sums over all rows are
   /// those.
   Eigen::VectorXd squares(const Eigen::VectorXd& rows) const;
   Eigen::VectorXd shares(Eigen::Index rows) const;

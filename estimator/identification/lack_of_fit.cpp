@@ -34,7 +34,7 @@ constexpr double dependent = 1e-6;
 /// a decay is not the noise alone (other modes ring, too): there, so many times that noise does (tuned:
 /// right models leave 1.2 to 3.4 times it in draws of three short decays, one that lacks friction 21 times; alarm
 /// from 2.3 times this on).
-constexpr auto& fewest_repeats_of_decays = estimator_thresholds().fewest_repeats_of_decays;
+constexpr auto& fewest_freedom = estimator_thresholds().fewest_freedom;
 constexpr auto& repeats_of_short_decays = estimator_thresholds().repeats_of_short_decays;
 
 using Equation = std::pair<std::size_t, EquationPart>;
@@ -229,7 +229,7 @@ Scatter scatter_of(const Conditions& conditions, bool of_dwells) {
       count += 1;
     }
   freedom = third_difference_freedom * count;
-  if (freedom < fewest_repeats_of_decays) return Scatter{repeats_of_short_decays * repeats_of_short_decays};
+  if (freedom < fewest_freedom) return Scatter{repeats_of_short_decays * repeats_of_short_decays};
   return Scatter{squares / count, freedom};
 }
 

@@ -25,10 +25,8 @@ constexpr auto& frequency_prior_sd = estimator_thresholds().frequency_prior_sd;
 /// rounding.
 constexpr double given_width = 1e-5;
 
-/// Moves of parameters, in units of their own size, that depend on one another to this share say nothing new.
-constexpr auto& dependent_moves = estimator_thresholds().dependent_moves;
-
-/// Combinations of columns that are orthogonal to everything lost are as good as these.
+/// Rounding: combinations of columns that are orthogonal to everything lost are as good as these, and so are moves
+/// of parameters that depend on one another (where there are more of them than dimensions beside the null space).
 constexpr double lost_tolerance = 1e-8;
 
 // Combinations of the columns `lost`, one a row, that the fit knows although it knows none of them alone:
@@ -112,7 +110,7 @@ MatrixXd along_moves(const Estimation& e) {
   const VectorXd length = moves.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min());
   moves = moves * length.cwiseInverse().asDiagonal();
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-  solver.setThreshold(dependent_moves);
+  solver.setThreshold(lost_tolerance);
   solver.compute(moves);
   return length.cwiseInverse().asDiagonal() * solver.pseudoInverse() * size.asDiagonal();
 }

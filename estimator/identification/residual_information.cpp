@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 /// Of a change, squared, that coefficients cannot do: less is the error of a change that was found as a difference.
 constexpr double no_change_share = 1e-8;
 
-/// Conditions that tell the scatter between them, of one direction; each further one takes up one.
-constexpr auto& fewest_clusters = estimator_thresholds().fewest_clusters;
+/// That tell the scatter between conditions, of which each direction takes up one.
+constexpr auto& least_freedom = estimator_thresholds().fewest_freedom;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ ResidualInformation residual_information(const MatrixXd& change, const LinearFit
   std::map<int, std::vector<Index>> members;
   for (Index r = 0; r < left.size(); ++r) members[condition[static_cast<std::size_t>(r)]].push_back(r);
   const auto conditions = static_cast<Index>(members.size());
-  if (conditions < fewest_clusters + count - 1) return evidence;
+  if (static_cast<double>(conditions - count) < least_freedom) return evidence;
   // What the estimate changes by where one condition is left out, of the coefficients' regression as well.
   MatrixXd all(left.size(), fit.orthonormal.cols() + count);
   all << fit.orthonormal, columns;

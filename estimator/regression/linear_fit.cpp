@@ -20,8 +20,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Fewer clusters say too little of their scatter.
-constexpr auto& fewest_clusters = estimator_thresholds().fewest_clusters;
+/// Clusters with fewer, their number less one, say too little of their scatter.
+constexpr auto& fewest_freedom = estimator_thresholds().fewest_freedom;
 
 /// What errors of the columns leave of a clear direction, at least: none with less than noise_ratio times what they
 /// give, or half of that where it was clear before, is one.
@@ -171,8 +171,8 @@ void note_noisy(const std::vector<Index>& noisy, const MatrixXd& seen, LinearFit
 void note_covariance(ClusterJackknife jackknife, const MatrixXd& spread, LinearFit& fit) {
   const Index rows = fit.residual.size(), groups = static_cast<Index>(jackknife.labels.size());
   fit.plain_covariance = fit.residual_sd * fit.residual_sd * (spread * spread.transpose());
-  const bool clustered =
-      groups >= fewest_clusters && rows > fit.rank && fit.rank > 0 && !jackknife.one_determines_a_direction;
+  const bool clustered = static_cast<double>(groups) - 1 >= fewest_freedom && rows > fit.rank && fit.rank > 0 &&
+                         !jackknife.one_determines_a_direction;
   if (clustered) {
     fit.covariance = jackknife.covariance();
     fit.covariance_kind = CovarianceKind::clustered;

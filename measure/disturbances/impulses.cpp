@@ -19,8 +19,9 @@ constexpr int most_spike_rounds = 8;
 // Of a hundred wrong samples one is not told from a corner of the motion.
 constexpr auto& not_told = measure_thresholds().spikes_not_told;
 
-// Of a corner of the motion so much is left beside a spike, next to its own size (beside_spike).
-constexpr double left_by_a_corner = 0.27;
+// Of a corner of the motion so much is left beside a spike, next to its own size (beside_spike): off it leaves
+// c = (0, 1/2, -1, 1/2, 0), of which (c's)^2/(s's) lies along the spike's shares s, and c'c - (c's)^2/(s's) = 1/14.
+constexpr double left_by_a_corner = 0.26726124191242440;
 
 // What values follow beyond their upper quarter, if they fall exponentially there as they do from the middle to it:
 // the one that a value exceeds with that probability. Of a normal law this is too large. As long as less than a

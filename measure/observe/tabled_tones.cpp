@@ -8,6 +8,7 @@
 
 #include "estimator/model/block_frequency.hpp"
 #include "estimator/model/zero_frequency.hpp"
+#include "estimator/thresholds.hpp"
 
 namespace secular {
 namespace {
@@ -18,9 +19,8 @@ using Eigen::Index;
 /// Ratios of frequencies that are one: rounding of what they are computed from.
 constexpr double same_ratio = 1e-9;
 
-/// Degrees of freedom from which a scatter says more of a standard deviation than its order (derived: known to
-/// 1/sqrt(2*4), a third).
-constexpr double fewest_degrees = 4;
+/// From which a scatter says more of a standard deviation than its order.
+constexpr auto& fewest_degrees = estimator_thresholds().fewest_freedom;
 
 }  // namespace
 

@@ -44,13 +44,13 @@ std::vector<double> crossings(const Eigen::Ref<const VectorXd>& y, double level,
 /// needs, and one in three to spare.
 constexpr Index shortest_window = 16;
 
-/// Half periods that follow the largest excursion: two turns are what a tone is fitted over; a longer swing is
-/// looked for in both directions before so short a one is taken for it.
-constexpr std::size_t fewest_halves = 4;
-constexpr auto& halves_at_first = measure_thresholds().halves_at_first;
+/// Half periods that follow the largest excursion: two turns are what a tone is fitted over. A swing of twice as
+/// many has later ones to compare them with: it is looked for in both directions before a shorter one is taken for
+/// it.
+constexpr std::size_t fewest_halves = 4, halves_at_first = 2 * fewest_halves;
 
 /// Of the largest excursion, what counts as large as that.
-constexpr double as_large = 0.99;
+constexpr auto& as_large = measure_thresholds().as_large;
 
 /// Samples in half a turn: three harmonics lie below half the sample rate. Noise crosses its level every other
 /// sample.
@@ -130,7 +130,7 @@ std::optional<Swing> decay_after_release(const Eigen::Ref<const VectorXd>& sampl
   if (!later.empty()) {
     const double usual = std::max(upper_median(later), 1e-6);
     while (first < 6 && first + 8 < zeros.size() &&
-           residual(zeros[first]) > measure_thresholds().usual_residual * usual)
+           residual(zeros[first]) > measure_thresholds().disturbed_end * usual)
       ++first;
   }
   const auto start = static_cast<Index>(std::ceil(zeros[first]));

@@ -37,10 +37,9 @@ Tests alone change the values (`tests/changed_thresholds.hpp`). `SlowThresholds`
 one of `measure/` and `estimator/` by 1/2 and by 2 and prints what moves.
 
 Of 781 campaigns of the blind check's structures (30 and 40 dB, three in four disturbed by lot) none notices these, by
-half or by twice: `rarest_share`, `same_sample`, `clipping_depth`, `clipping_excess`, `resting_share`,
-`two_level_share`, `coarse_levels`, `smallest_offset`, `decayed_share`, `dwell_drift`, `fewest_repeats_of_decays`,
-`repeats_of_short_decays`, `frequency_prior_sd`, `dependent_moves`, `noise_ratio`. These draws hold no odd time
-stamps, no clipped channels and no modes that come to rest, which half of them are for.
+half or by twice: `rarest_share`, `same_sample`, `two_level_share`, `coarse_levels`, `smallest_offset`, `decayed_share`,
+`dwell_drift`, `repeats_of_short_decays`, `frequency_prior_sd`, `noise_ratio`. These draws hold no odd time stamps, no
+clipped channels and no modes that come to rest, which half of them are for.
 )";
 
 template <typename Values>
