@@ -13,6 +13,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// A column of which the span leaves no more than this share is in it.
+constexpr double least_beside = 1e-6;
+
 // Columns of a fit's slopes that the model as it is has not.
 std::vector<Index> slopes_of_members(const Refit& fit, const Refit& null) {
   std::vector<Index> columns;
@@ -26,15 +29,22 @@ std::vector<Index> slopes_of_members(const Refit& fit, const Refit& null) {
 
 GapSpan::GapSpan(const MatrixXd& columns) : basis_(basis_of(columns)) {}
 
-VectorXd GapSpan::squares(const VectorXd& rows) const {
-  if (basis_.cols() == 0) return rows.cwiseAbs2();
-  const VectorXd along = basis_ * (basis_.transpose() * rows);
-  return along.cwiseProduct(2 * rows - along);
+GapSpan GapSpan::with(const VectorXd& column) const {
+  if (basis_.cols() == 0) return *this;
+  GapSpan wider = *this;
+  // Twice is enough (Kahan and Parlett): a column that is nearly in the span leaves what is beside it.
+  VectorXd beside = without_span(basis_, without_span(basis_, column));
+  if (!(beside.norm() > least_beside * column.norm())) return wider;
+  wider.basis_.conservativeResize(Eigen::NoChange, basis_.cols() + 1);
+  wider.basis_.rightCols(1) = beside.normalized();
+  return wider;
 }
 
-VectorXd GapSpan::shares(Index rows) const {
-  if (basis_.cols() == 0) return VectorXd::Ones(rows);
-  return basis_.rowwise().squaredNorm();
+VectorXd GapSpan::squares(const VectorXd& rows, double floor) const {
+  if (basis_.cols() == 0) return rows.cwiseAbs2();
+  const VectorXd along = basis_ * (basis_.transpose() * rows);
+  return along.cwiseProduct(2 * rows - along) +
+         floor * floor * (VectorXd::Ones(rows.size()) - basis_.rowwise().squaredNorm());
 }
 
 bool GapSpan::holds_all_but_noise(const VectorXd& rows) const {

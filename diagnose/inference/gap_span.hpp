@@ -15,11 +15,12 @@ class GapSpan {
   GapSpan() = default;
   /// Of slopes and finite changes, rows x any number of columns.
   explicit GapSpan(const Eigen::MatrixXd& columns);
+  /// With one direction more; all of them stay all.
+  GapSpan with(const Eigen::VectorXd& column) const;
 
-  /// By row: what it has of the squares in these directions (docs/inference.md (51)), and of their number. Sums over all rows are
-  /// those.
-  Eigen::VectorXd squares(const Eigen::VectorXd& rows) const;
-  Eigen::VectorXd shares(Eigen::Index rows) const;
+  /// By row: its square, in which what lies beside these directions counts with what it is expected to be, `floor`
+  /// squared for a row that is all beside them (docs/inference.md (51)).
+  Eigen::VectorXd squares(const Eigen::VectorXd& rows, double floor) const;
 
   /// Whether rows have no more than noise beside these directions, at the alarm level of structure.
   bool holds_all_but_noise(const Eigen::VectorXd& rows) const;

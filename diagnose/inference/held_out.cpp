@@ -103,7 +103,7 @@ VectorXd refit_to(const Discrepancy& discrepancy, const Refit& fit, const std::v
   return rows;
 }
 
-/// Sums over the rows of a fold: of squares, and of what these are expected to be of rows that repeat.
+/// Sums over the rows of a fold.
 struct FoldSums {
   double before = 0, after = 0, count = 0;
 
@@ -116,13 +116,11 @@ struct FoldSums {
 };
 
 std::vector<FoldSums> sums_of_folds(const VectorXd& before, const VectorXd& after,
-                                    const std::vector<RowLabel>& labels, const GapSpan& span = {}) {
-  const VectorXd squares_before = span.squares(before), squares_after = span.squares(after),
-                 shares = span.shares(before.size());
+                                    const std::vector<RowLabel>& labels) {
   std::map<int, FoldSums> by_fold;
   for (std::size_t r = 0; r < labels.size(); ++r) {
     const auto i = static_cast<Index>(r);
-    by_fold[labels[r].fold].add({squares_before(i), squares_after(i), shares(i)});
+    by_fold[labels[r].fold].add({before(i), after(i), 1});
   }
   std::vector<FoldSums> folds;
   for (const auto& [fold, sums] : by_fold) folds.push_back(sums);
@@ -130,7 +128,7 @@ std::vector<FoldSums> sums_of_folds(const VectorXd& before, const VectorXd& afte
 }
 
 double root_mean_square(double squares, double count) {
-  return count > 0 ? std::sqrt(std::max(0.0, squares) / count) : 0;
+  return std::sqrt(std::max(0.0, squares) / std::max(1.0, count));
 }
 
 // Of folds that are drawn. By chance they hold no more than the floor: there all is closed that there is.
@@ -198,7 +196,7 @@ std::optional<double> placebo_closed(const Refit& null, const VectorXd& signatur
 }
 
 bool repeats(const VectorXd& before, const VectorXd& after, const std::vector<RowLabel>& labels) {
-  const std::vector<FoldSums> folds = sums_of_folds(before, after, labels);
+  const std::vector<FoldSums> folds = sums_of_folds(before.cwiseAbs2(), after.cwiseAbs2(), labels);
   const auto n = static_cast<double>(folds.size());
   if (n < 2) return false;
   double gain = 0, squares = 0;
@@ -209,16 +207,15 @@ bool repeats(const VectorXd& before, const VectorXd& after, const std::vector<Ro
 
 ClosedShare closed_share(const VectorXd& before, const VectorXd& after, const std::vector<RowLabel>& labels,
                          double floor, const GapSpan& span) {
-  const auto all = static_cast<double>(before.size());
+  const auto count = static_cast<double>(before.size());
   ClosedShare result;
-  result.before = root_mean_square(before.squaredNorm(), all);
-  result.after = root_mean_square(after.squaredNorm(), all);
-  const std::vector<FoldSums> folds = sums_of_folds(before, after, labels, span);
-  FoldSums total;
-  for (const FoldSums& fold : folds) total.add(fold);
-  const double b = root_mean_square(total.before, total.count), a = root_mean_square(total.after, total.count);
+  result.before = root_mean_square(before.squaredNorm(), count);
+  result.after = root_mean_square(after.squaredNorm(), count);
+  const GapSpan wider = span.with(after - before);
+  const VectorXd squares_before = wider.squares(before, floor), squares_after = wider.squares(after, floor);
+  const double b = root_mean_square(squares_before.sum(), count), a = root_mean_square(squares_after.sum(), count);
   result.closed = b > floor ? std::clamp((b - a) / (b - floor), -1.0, 1.0) : 0.0;
-  take_interval(folds, floor, result);
+  take_interval(sums_of_folds(squares_before, squares_after, labels), floor, result);
   return result;
 }
 

@@ -19,6 +19,10 @@ using Eigen::VectorXd;
 /// bound of trust regions, Nocedal and Wright 2006, chapter 4).
 constexpr double least_kept = 0.25;
 
+/// A change of an unknown by so many times what moved the rows by one before, or its value, is no slope any more:
+/// what moves them then is another motion (a contact that is hardly reached, behind which there is a wall).
+constexpr double farthest = 1e6;
+
 /// Differences are taken over changes of the rows by this to one over this standard deviations.
 constexpr double least_change = 0.03;
 
@@ -133,12 +137,17 @@ UnitSlopes unit_slopes(const Discrepancy& discrepancy, const VectorXd& unknowns,
   const auto count = static_cast<Index>(which.size());
   UnitSlopes result{VectorXd::Zero(count), MatrixXd::Zero(discrepancy.size(), count)};
   VectorXd step(count), otherwise(count);  // otherwise: where a guess moves nothing
+  VectorXd longest = VectorXd::Constant(count, 1e25);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < which.size(); ++i) {
     const auto u = static_cast<Index>(which[i]), place = static_cast<Index>(i);
     const double value = std::abs(unknowns(u));
     otherwise(place) = value > 0 ? 1e-6 * value : 1e-9;
-    step(place) = guess.size() > 0 && guess(u) > 0 ? guess(u) : otherwise(place);
+    step(place) = otherwise(place);
+    if (guess.size() > 0 && guess(u) > 0) {
+      step(place) = guess(u);
+      longest(place) = farthest * std::max(guess(u), value);
+    }
     open.push_back(i);
   }
   // Steps change by factors until the rows move by something near one.
@@ -164,7 +173,7 @@ UnitSlopes unit_slopes(const Discrepancy& discrepancy, const VectorXd& unknowns,
         step(i) = otherwise(i);
       else
         step(i) *= change < 1e-7 ? 1e3 : std::clamp(1 / change, 1e-6, 1e6);
-      if (step(i) < 1e25) still.push_back(open[o]);
+      if (step(i) < longest(i)) still.push_back(open[o]);
     }
     open = std::move(still);
   }
