@@ -24,6 +24,8 @@ struct MeasureThresholds {
   std::size_t rarest_share = 16;
   double same_sample = 0.01;
   std::size_t clipped_run = 4;
+  double clipping_depth = 16;
+  double clipping_excess = 8;
   double two_level_share = 0.95;
   std::size_t coarse_levels = 64;
   double smallest_offset = 0.05;

@@ -58,6 +58,12 @@ inline constexpr std::array measure_threshold_list = {
     Threshold<MeasureThresholds>{"clipped_run", &MeasureThresholds::clipped_run, ThresholdKind::tuned, "samples",
                                  "a run at an extreme that is judged by itself", "no record of the draws",
                                  "data/clipping.cpp"},
+    Threshold<MeasureThresholds>{"clipping_depth", &MeasureThresholds::clipping_depth, ThresholdKind::tuned,
+                                 "steps of the converter", "the parabola beside a run is that deep at least",
+                                 "no record of the draws", "data/clipping.cpp"},
+    Threshold<MeasureThresholds>{
+        "clipping_excess", &MeasureThresholds::clipping_excess, ThresholdKind::tuned, "steps of the converter",
+        "a clipped motion would have gone that far beyond its run", "no record of the draws", "data/clipping.cpp"},
     Threshold<MeasureThresholds>{"two_level_share", &MeasureThresholds::two_level_share, ThresholdKind::tuned,
                                  "share of samples", "so many at either extreme are a square wave",
                                  "no record of the draws", "data/clipping.cpp"},

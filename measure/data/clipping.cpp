@@ -5,7 +5,6 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +18,10 @@ namespace {
 
 constexpr auto& long_run = measure_thresholds().clipped_run;  // judged by itself; shorter ones are together
 constexpr std::size_t fewest_points = 4;  // of the parabola beside a run: twice its unknowns, slope and curvature
+constexpr auto& fit_depth_in_quanta =
+    measure_thresholds().clipping_depth;  // how deep the parabola is fitted at least
+constexpr auto& excess_in_quanta =
+    measure_thresholds().clipping_excess;  // beyond the flat value; a turning point has at most about one
 constexpr auto& fewest_quanta_in_range = measure_thresholds().coarse_levels;
 constexpr auto& two_level_share =
     measure_thresholds().two_level_share;  // of all samples at either extreme: a square wave
@@ -32,67 +35,30 @@ std::size_t fewest_levels() {
 // Of the range: what tones leave of a noise floor, most (4e-5) where they lie in the upper half of the spectrum.
 constexpr double most_leakage = 1e-4;
 
-// What the samples beside a run tell of the signal there.
-struct Beside {
-  std::function<double(std::size_t)> depth;  // of the n-th sample outside (n = 1 ... count) below the flat value
-  std::size_t count = 0;
-  double deepest = 0;             // that a parabola describes
-  double quantum = 0, noise = 0;  // of each sample
-};
-
-// By how much a weighted sum of depth(1 + m) - depth(1) is wrong at most: each by half a quantum, and by noise.
-// Noise beyond a quantum would not leave a run equal.
-double largest_error(const std::vector<double>& weights, const Beside& beside) {
-  const double sds = std::sqrt(chi_squared_upper_quantile(2 * measure_thresholds().clipping_false_alarm, 1));
-  double sum = 0, moduli = 0, squares = 0;
-  for (const double w : weights) {
-    sum += w;
-    moduli += std::abs(w);
-    squares += w * w;
-  }
-  return 0.5 * beside.quantum * (moduli + std::abs(sum)) +
-         sds * std::min(beside.noise, beside.quantum) * std::sqrt(squares + sum * sum);
-}
-
-// Whether the parabola through the first samples outside, depth(1 + m) = depth(1) + slope*m + curvature*m^2 with
-// m = 1 ... last, has its top more than a quantum beyond the flat value whatever errors they have
-// (docs/inference.md (50)). The run began somewhere between the first sample outside and the run.
-bool goes_on(const Beside& beside, std::size_t last) {
-  double m2 = 0, m3 = 0, m4 = 0;
-  for (std::size_t m = 1; m <= last; ++m) {
+// How far the signal would have gone beyond the run, judged from one of its ends. depth(n): how far the n-th sample
+// outside (n = 1 ... count) lies below the flat value. The run began somewhere between the first sample outside and
+// the run, so the parabola starts at that sample: depth(1 + m) = depth(1) + slope*m + curvature*m^2.
+double excess(const std::function<double(std::size_t)>& depth, std::size_t count, double quantum) {
+  if (count <= fewest_points) return 0;
+  const double start = depth(1);
+  double m2 = 0, m3 = 0, m4 = 0, y1 = 0, y2 = 0, deepest = 0;
+  for (std::size_t m = 1; m < count; ++m) {
+    const double y = depth(1 + m) - start;
+    if (m > fewest_points && (deepest >= fit_depth_in_quanta * quantum || y < deepest - quantum)) break;
+    deepest = std::max(deepest, y);
     const auto x = static_cast<double>(m);
     m2 += x * x;
     m3 += x * x * x;
     m4 += x * x * x * x;
+    y1 += x * y;
+    y2 += x * x * y;
   }
-  const double determinant = m2 * m4 - m3 * m3, start = beside.depth(1);  // least squares
-  std::vector<double> of_slope(last), of_curvature(last);
-  double slope = 0, curvature = 0;
-  for (std::size_t m = 1; m <= last; ++m) {
-    const auto x = static_cast<double>(m);
-    const double y = beside.depth(1 + m) - start;
-    slope += y * (of_slope[m - 1] = (m4 * x - m3 * x * x) / determinant);
-    curvature += y * (of_curvature[m - 1] = (m2 * x * x - m3 * x) / determinant);
-  }
-  slope -= largest_error(of_slope, beside);
-  curvature += largest_error(of_curvature, beside);
-  return slope > 0 && (curvature <= 0 || slope * slope / (4 * curvature) - start > beside.quantum);
-}
-
-// The same of as many samples as tell it: while they lie deeper and deeper, down to where a peak is a parabola no
-// more.
-bool would_have_gone_on(const Beside& beside) {
-  double deepest = 0;
-  std::size_t m = 1;
-  for (std::size_t next = fewest_points; m < beside.count; ++m) {
-    const double y = beside.depth(1 + m) - beside.depth(1);
-    if (m > fewest_points && (deepest >= beside.deepest || y < deepest - beside.quantum)) break;
-    deepest = std::max(deepest, y);
-    if (m < next) continue;
-    if (goes_on(beside, m)) return true;
-    next = 2 * m;
-  }
-  return m > fewest_points && goes_on(beside, m - 1);
+  const double determinant = m2 * m4 - m3 * m3;  // least squares
+  const double slope = (m4 * y1 - m3 * y2) / determinant;
+  const double curvature = (m2 * y2 - m3 * y1) / determinant;
+  if (slope <= 0) return 0;
+  if (curvature <= 0) return std::numeric_limits<double>::infinity();
+  return slope * slope / (4 * curvature) - start;
 }
 
 // A run of equal samples whose neighbours are both deeper, as the parabola depth = curvature*x^2 through it.
@@ -174,7 +140,6 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
   const double range = sorted.back() - sorted.front(), extreme = sign > 0 ? sorted.back() : sorted.front();
   const double same = SameValue(sorted).within(extreme);
   Side side;
-  std::optional<double> noise;
   std::size_t short_runs = 0, samples_in_short_runs = 0;
   double least_step = std::numeric_limits<double>::infinity(), largest_step = 0;  // to the extreme; elsewhere
   std::vector<Peak> peaks;
@@ -198,13 +163,9 @@ Side judge_side(std::span<const double> samples, const std::vector<double>& sort
       continue;
     }
     if (!at_extreme) continue;
-    if (!noise) noise = noise_floor(samples).value_or(0);
-    const auto goes_on_beside = [&](const std::function<double(std::size_t)>& depths, std::size_t count) {
-      return would_have_gone_on({depths, count, std::sqrt(range * quantum), quantum, *noise});
-    };
-    if (!goes_on_beside([&](std::size_t n) { return depth(begin - n); }, begin) ||
-        !goes_on_beside([&](std::size_t n) { return depth(end - 1 + n); }, samples.size() - end))
-      continue;
+    const double before = excess([&](std::size_t n) { return depth(begin - n); }, begin, quantum);
+    const double after = excess([&](std::size_t n) { return depth(end - 1 + n); }, samples.size() - end, quantum);
+    if (std::min(before, after) <= excess_in_quanta * quantum) continue;
     ++side.runs;
     side.samples_in_runs += length;
   }

@@ -19,10 +19,12 @@ struct Clipping {
 
 /// Looks for samples stuck at the largest or smallest value.
 ///
-/// Runs of four and more are judged one by one: their neighbours would have gone on. A smooth peak of a quantised
-/// signal is flat too, and so is a structure held at rest, but both leave their extreme with zero slope: the
-/// parabola through the samples beside either end of the run has its top about one quantum beyond the flat value,
-/// for a clipped one much more (docs/inference.md (50)). Both ends of a run must say so.
+/// Runs of four and more are judged one by one: their neighbours would have gone on. A
+/// smooth peak of a quantised signal is flat too, and so is a structure held at rest, but both leave their extreme
+/// with zero slope: the parabola through the samples beside either end of the run, depth(m) = slope*m +
+/// curvature*m^2 from the first one outside, has its top slope^2/(4*curvature) above that sample, for such a
+/// turning point at most about one quantum beyond the flat value, for a clipped one much more. Both ends of a run
+/// must say so.
 ///
 /// Shorter runs are judged together. With x in samples from its top and c its depth at x = 1, a smooth peak lies
 /// within q of its top for |x| <= (q/c)^(1/2) if it is round and for |x| <= (q/c)^(1/4) if harmonics make it flat
