@@ -26,6 +26,7 @@ struct MeasureThresholds {
   std::size_t clipped_run = 4;
   double clipping_depth = 16;
   double clipping_excess = 8;
+  double resting_share = 0.6;
   double two_level_share = 0.95;
   std::size_t coarse_levels = 64;
   double smallest_offset = 0.05;

@@ -64,6 +64,9 @@ inline constexpr std::array measure_threshold_list = {
     Threshold<MeasureThresholds>{
         "clipping_excess", &MeasureThresholds::clipping_excess, ThresholdKind::tuned, "steps of the converter",
         "a clipped motion would have gone that far beyond its run", "no record of the draws", "data/clipping.cpp"},
+    Threshold<MeasureThresholds>{"resting_share", &MeasureThresholds::resting_share, ThresholdKind::tuned,
+                                 "share of samples", "so many at one extreme are the rest of a signal",
+                                 "no record of the draws", "data/clipping.cpp"},
     Threshold<MeasureThresholds>{"two_level_share", &MeasureThresholds::two_level_share, ThresholdKind::tuned,
                                  "share of samples", "so many at either extreme are a square wave",
                                  "no record of the draws", "data/clipping.cpp"},

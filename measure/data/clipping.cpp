@@ -23,6 +23,8 @@ constexpr auto& fit_depth_in_quanta =
 constexpr auto& excess_in_quanta =
     measure_thresholds().clipping_excess;  // beyond the flat value; a turning point has at most about one
 constexpr auto& fewest_quanta_in_range = measure_thresholds().coarse_levels;
+constexpr auto& resting_share =
+    measure_thresholds().resting_share;  // of all samples at one extreme: the signal's rest
 constexpr auto& two_level_share =
     measure_thresholds().two_level_share;  // of all samples at either extreme: a square wave
 
@@ -198,7 +200,7 @@ Clipping find_clipping(std::span<const double> samples, const std::vector<double
                           share(std::max(top.at_extreme, bottom.at_extreme)) < two_level_share;
   if (two_levels) return clipping;
   const auto take = [&](const Side& side, std::size_t& runs) {
-    if (side.runs == 0 || 2 * side.at_extreme > samples.size()) return;  // the median: where the signal rests
+    if (side.runs == 0 || share(side.at_extreme) >= resting_share) return;
     runs = side.runs;
     clipping.samples += side.samples_in_runs;
     clipping.at.insert(clipping.at.end(), side.at.begin(), side.at.end());
