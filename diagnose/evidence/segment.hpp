@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "diagnose/evidence/foreign_content.hpp"
-#include "motion/integrate/motion_integrator.hpp"
 #include "diagnose/evidence/sensor_model.hpp"
 #include "diagnose/evidence/wandering_zeros.hpp"
 #include "measure/observe/observation_set.hpp"
+#include "motion/integrate/motion_integrator.hpp"
 
 namespace secular {
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "diagnose/inference/screening.hpp"
-#include "diagnose/thresholds.hpp"
-#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -41,28 +39,27 @@ GapSpan GapSpan::with(const VectorXd& column) const {
 }
 
 VectorXd GapSpan::squares(const VectorXd& rows, double floor) const {
-  if (basis_.cols() == 0) return rows.cwiseAbs2();
-  const VectorXd along = basis_ * (basis_.transpose() * rows);
-  return along.cwiseProduct(2 * rows - along) +
-         floor * floor * (VectorXd::Ones(rows.size()) - basis_.rowwise().squaredNorm());
-}
-
-bool GapSpan::holds_all_but_noise(const VectorXd& rows) const {
-  const double beside = rows.squaredNorm() - (basis_.transpose() * rows).squaredNorm();
-  const auto directions = static_cast<double>(rows.size() - basis_.cols());
-  return directions > 0 && chi_squared_upper_tail(beside, directions) >= diagnose_thresholds().structure_alarm;
+  const VectorXd squares = rows.cwiseAbs2();
+  if (basis_.cols() == 0) return squares;
+  const VectorXd along = basis_ * (basis_.transpose() * rows), taken = along.cwiseProduct(2 * rows - along),
+                 beside = floor * floor * (VectorXd::Ones(rows.size()) - basis_.rowwise().squaredNorm());
+  return (squares - taken).sum() < beside.sum() ? VectorXd(taken + beside) : squares;
 }
 
 GapSpan span_of_gap(const Refit& null, const std::vector<Explanation>& explanations, const VectorXd& unfitted) {
-  MatrixXd columns = null.jacobian;
-  const auto add = [&](const MatrixXd& more) {
-    columns.conservativeResize(null.rows.size(), columns.cols() + more.cols());
-    columns.rightCols(more.cols()) = more;
-  };
-  if (unfitted.size() > 0) add(unfitted - null.rows);
+  std::vector<MatrixXd> parts = {null.jacobian};
+  if (unfitted.size() > 0) parts.emplace_back(unfitted - null.rows);
   for (const Explanation& e : explanations) {
-    add(e.fit.jacobian(Eigen::all, slopes_of_members(e.fit, null)));
-    add(e.fit.rows - null.rows);
+    parts.emplace_back(e.fit.jacobian(Eigen::all, slopes_of_members(e.fit, null)));
+    parts.emplace_back(e.fit.rows - null.rows);
+  }
+  Index count = 0;
+  for (const MatrixXd& part : parts) count += part.cols();
+  MatrixXd columns(null.rows.size(), count);
+  Index place = 0;
+  for (const MatrixXd& part : parts) {
+    columns.middleCols(place, part.cols()) = part;
+    place += part.cols();
   }
   return GapSpan(columns);
 }

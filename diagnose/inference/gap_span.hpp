@@ -18,12 +18,9 @@ class GapSpan {
   /// With one direction more; all of them stay all.
   GapSpan with(const Eigen::VectorXd& column) const;
 
-  /// By row: its square, in which what lies beside these directions counts with what it is expected to be, `floor`
-  /// squared for a row that is all beside them (docs/inference.md (51)).
+  /// By row: its square. Where what lies beside these directions is less than it is expected to be, `floor` squared
+  /// for a row that is all beside them, it counts with that (docs/inference.md (50)).
   Eigen::VectorXd squares(const Eigen::VectorXd& rows, double floor) const;
-
-  /// Whether rows have no more than noise beside these directions, at the alarm level of structure.
-  bool holds_all_but_noise(const Eigen::VectorXd& rows) const;
 
  private:
   Eigen::MatrixXd basis_;  // orthonormal; empty: all directions

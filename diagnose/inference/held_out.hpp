@@ -21,7 +21,8 @@ HeldOut predict_held_out(const Discrepancy& discrepancy, const Refit& fit, const
 
 /// Share of the gap closed, from -1 to 1, and its 95 % interval when conditions are drawn again (bootstrap, seeded,
 /// docs/inference.md (30)). Of fewer than three conditions nothing says what it would be in another: from -1 to 1.
-/// The share is that of what lies in `span` and along the change itself; before and after are root mean squares of all rows.
+/// The share is that of what lies in `span` and along the change itself; before and after are root mean squares of
+/// all rows.
 struct ClosedShare {
   double before = 0, after = 0, closed = 0, low = 0, high = 0;
 };

@@ -236,9 +236,7 @@ class OpenDiagnosis::Stages {
     }
     const Rival& best = contest.best();
     take_best(*best.explanation);
-    // What lies beside all that was fitted, where that is no more than noise, says nothing of the gap.
-    GapSpan span = span_of_gap(inference_.null.fit, inference_.explanations, given.value_or(VectorXd()));
-    if (span.holds_all_but_noise(best_->fit.rows)) gap.measure_in(std::move(span));
+    gap.measure_in(span_of_gap(inference_.null.fit, inference_.explanations, given.value_or(VectorXd())));
     const ClosedShare closing = gap.closed_by(*best_);
     take_share(closing, result_.gap);
     result_.rows_after = best_->fit.rows;

@@ -69,42 +69,60 @@ TEST(GapSpan, OfNoColumnsIsAllRowsAsTheyAre) {
   EXPECT_EQ(GapSpan().squares(rows, 1), VectorXd(rows.cwiseAbs2()));
 }
 
-TEST(GapSpan, HoldsNotWhatLiesBesideIt) {
+// Beside the directions rows have what they have, or what they are expected to have where that is more.
+TEST(GapSpan, WhatLiesBesideItIsLeft) {
   std::mt19937_64 random(5);
   const MatrixXd columns = columns_of(400, 6, random);
   const GapSpan span(columns.leftCols(5));
-  const VectorXd noise = white(400, random);
-  EXPECT_TRUE(span.holds_all_but_noise(noise));
-  EXPECT_TRUE(span.holds_all_but_noise(noise + 20 * columns.col(2)));
-  EXPECT_FALSE(span.holds_all_but_noise(noise + columns.col(5)));
+  const VectorXd noise = white(400, random), more = noise + columns.col(5);
+  EXPECT_EQ(squares_of(span, more), more.squaredNorm());
+  const VectorXd less = 0.9 * noise;
+  EXPECT_GT(squares_of(span, less), less.squaredNorm());
+  EXPECT_GE(squares_of(span, less), 395);
 }
 
-// A gap of 15 standard deviations in all, seen in ten conditions of 20,000 samples: an explanation that takes all
-// of it has closed it, and one that takes 15 % of its size has not, whatever the noise. By all rows the noise
-// decides.
+// A gap of 30 standard deviations in all, seen in ten conditions of 20,000 samples, whose noise alone has 200: an
+// explanation that takes all of it has closed most of it, and one that takes 15 % of its size has not. By all rows
+// the noise decides.
 TEST(GapSpan, AWeakGapInManySamplesHasAShare) {
   constexpr Index samples = 20000, directions = 20, draws = 25;
   std::mt19937_64 random(6);
   const std::vector<RowLabel> labels = in_conditions(samples, 10);
   const MatrixXd columns = columns_of(samples, directions, random);
-  const VectorXd gap = 15 * columns.col(0).normalized();
+  const VectorXd gap = 30 * columns.col(0).normalized();
   const GapSpan span(columns);
   Index all_closed = 0, part_closed = 0;
-  double least = 1, most = -1;
+  double most = -1;
   for (Index d = 0; d < draws; ++d) {
     const VectorXd noise = white(samples, random);
     const ClosedShare all = closed_share(noise + gap, noise, labels, 1, span),
                       part = closed_share(noise + gap, noise + 0.85 * gap, labels, 1, span),
                       of_rows = closed_share(noise + gap, noise, labels, 1);
-    if (all.closed > 0.8 && all.low > 0.5) ++all_closed;
+    if (all.closed > 0.65 && all.low > 0.5) ++all_closed;
     if (part.closed > 0.5) ++part_closed;
-    const double unbounded = (of_rows.before - of_rows.after) / (of_rows.before - 1);
-    least = std::min(least, unbounded);
-    most = std::max(most, unbounded);
+    most = std::max(most, (of_rows.before - of_rows.after) / (of_rows.before - 1));
   }
   EXPECT_GE(all_closed, draws - 1);
   EXPECT_EQ(part_closed, 0);
-  EXPECT_TRUE(least < 0.5 || most > 1.5) << least << " to " << most;
+  EXPECT_GT(most, 1.25);
+}
+
+// Of a gap of a law that lies beside all directions, but for a fifth of its squares, that fifth closes little,
+// though noise alone leaves as much as all of it once in a thousand times.
+TEST(GapSpan, ALawBesideItIsNotClosedByOneThatIsInIt) {
+  constexpr Index samples = 4000, directions = 20, draws = 40;
+  std::mt19937_64 random(8);
+  const std::vector<RowLabel> labels = in_conditions(samples, 16);
+  const MatrixXd columns = columns_of(samples, directions + 1, random);
+  const VectorXd inside = columns.col(0).normalized(), beside = columns.col(directions).normalized();
+  const GapSpan span(columns.leftCols(directions));
+  Index closed = 0;
+  for (Index d = 0; d < draws; ++d) {
+    const VectorXd left = white(samples, random) + std::sqrt(0.8 * 300) * beside;
+    const ClosedShare share = closed_share(left + std::sqrt(0.2 * 300) * inside, left, labels, 1, span);
+    if (share.closed > 0.5 && share.low > 0.5) ++closed;
+  }
+  EXPECT_LE(closed, 2);
 }
 
 }  // namespace
