@@ -31,7 +31,7 @@ bool ExpansionRange::remainder_exceeds(const VectorXd& parameters, const Amplitu
   if (!whole) return true;
   std::optional<Amplitudes> linear;
   if (sizes_.linear_when_small()) linear = linear_remainder(parameters, amplitude);
-  if (linear && sizes_.moves_rest(state)) {
+  if (linear && sizes_.rest_size(state) > 0) {
     const std::vector<double> all = sizes_.all_rates(state);
     for (std::size_t k = 0; k < all.size(); ++k)
       if (std::abs((*linear)[k]) > all[k]) return true;
@@ -62,17 +62,37 @@ Amplitudes ExpansionRange::forcing(const VectorXd& parameters) const {
   return forces;
 }
 
-std::optional<double> ExpansionRange::rest_shift(const VectorXd& parameters, const Amplitudes& amplitude) const {
+double ExpansionRange::rest_size(const VectorXd& parameters, const Amplitudes& amplitude) const {
   const Amplitudes forces = forcing(parameters);
-  const double* const frequencies = parameters.data() + model_.symbols.size();
-  if (!remainder_.known() || !sizes_.moves_rest({parameters.data(), frequencies, amplitude.data(), forces.data()}))
-    return std::nullopt;
-  const std::optional<Amplitudes> linear = linear_remainder(parameters, amplitude);
-  if (!linear) return std::nullopt;
-  double largest = 0;
-  for (std::size_t k = 0; k < amplitude.size(); ++k)
-    if (amplitude[k] != 0.0) largest = std::max(largest, std::abs((*linear)[k] / amplitude[k]));
-  return largest;
+  return sizes_.rest_size(
+      {parameters.data(), parameters.data() + model_.symbols.size(), amplitude.data(), forces.data()});
+}
+
+// Symbols without which the rest position is moved less; nonlinear ones among them do not act in the limit of small
+// motion about no load.
+VectorXd ExpansionRange::without_loads(const VectorXd& parameters, const Amplitudes& amplitude) const {
+  const double moved = rest_size(parameters, amplitude);
+  VectorXd unloaded = parameters;
+  for (Index s = 0; s < static_cast<Index>(model_.symbols.size()); ++s) {
+    VectorXd without = parameters;
+    without(s) = 0;
+    if (rest_size(without, amplitude) < moved) unloaded(s) = 0;
+  }
+  return unloaded;
+}
+
+std::optional<double> ExpansionRange::rest_shift(const VectorXd& parameters, const Amplitudes& amplitude) const {
+  if (!remainder_.known() || !(rest_size(parameters, amplitude) > 0)) return std::nullopt;
+  const std::optional<Amplitudes> with = linear_remainder(parameters, amplitude),
+                                  without = linear_remainder(without_loads(parameters, amplitude), amplitude);
+  if (!with || !without) return std::nullopt;
+  double shift = 0, lacking = 0;
+  for (std::size_t k = 0; k < amplitude.size(); ++k) {
+    if (amplitude[k] == 0.0) continue;
+    shift = std::max(shift, std::abs(((*with)[k] - (*without)[k]) / amplitude[k]));
+    lacking = std::max(lacking, std::abs((*without)[k] / amplitude[k]));
+  }
+  return shift > lacking ? std::optional(shift) : std::nullopt;
 }
 
 }  // namespace secular::app

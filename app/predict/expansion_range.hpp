@@ -27,9 +27,9 @@ class ExpansionRange {
   /// As ExpansionRemainder::at takes them. From any thread.
   bool excludes(const Eigen::VectorXd& parameters, const std::vector<std::complex<double>>& amplitude) const;
 
-  /// By how much the full equations shift a mode's rate beyond the expansion where a constant force moves the rest
-  /// position, in the limit of small motion: the largest |dA/dt|/|A| of the modes, 1/s. Nothing where no constant
-  /// force acts or no balance is found.
+  /// By how much constant forces shift a mode's rate beyond the expansion, in the limit of small motion, 1/s: of
+  /// what the full equations add to dA/dt of A the most that is added with them and not without them, by mode.
+  /// Nothing where none act, no balance is found, or the expansion lacks more without them.
   std::optional<double> rest_shift(const Eigen::VectorXd& parameters,
                                    const std::vector<std::complex<double>>& amplitude) const;
 
@@ -40,6 +40,9 @@ class ExpansionRange {
                          const ExpansionSizes::State& state) const;
 
   std::vector<std::complex<double>> forcing(const Eigen::VectorXd& parameters) const;
+  double rest_size(const Eigen::VectorXd& parameters, const std::vector<std::complex<double>>& amplitude) const;
+  Eigen::VectorXd without_loads(const Eigen::VectorXd& parameters,
+                                const std::vector<std::complex<double>>& amplitude) const;
 
   const CompiledModel& model_;
   const CompiledCase& resonance_;

@@ -56,11 +56,9 @@ void RangeMarks::warn_of_moved_rest(const std::vector<Place>& places) {
   if (largest == places.end()) return;
   if (const std::optional<double> shift = range_->rest_shift(largest->parameters, *largest->amplitude))
     prediction_.warnings.push_back(
-        fmt::format("a constant force moves the rest position, about which the expansion is not made: at the "
-                    "largest response the "
-                    "full equations shift the rate of a small motion by {:.2g} 1/s beyond it, which these "
-                    "responses lack. Where "
-                    "that is not small beside damping, count coordinates from the rest position",
+        fmt::format("a constant force moves the rest position, and the expansion is not made about it. That shifts "
+                    "the rate of a small motion by {:.2g} 1/s, which these responses lack. Where it is not small "
+                    "beside damping, count coordinates from the rest position",
                     *shift));
 }
 

@@ -74,11 +74,11 @@ std::vector<double> ExpansionSizes::largest_order(const State& state, const Coun
   return largest;
 }
 
-bool ExpansionSizes::moves_rest(const State& state) const {
-  const auto of_modes = sizes(displacement_, state, [](const Term& term) { return term.degree == 0; });
-  return std::any_of(of_modes.begin(), of_modes.end(), [](const std::vector<double>& orders) {
-    return std::any_of(orders.begin(), orders.end(), [](double size) { return size > 0; });
-  });
+double ExpansionSizes::rest_size(const State& state) const {
+  double sum = 0;
+  for (const std::vector<double>& orders : sizes(displacement_, state, [](const Term& t) { return t.degree == 0; }))
+    for (const double size : orders) sum += size;
+  return sum;
 }
 
 std::vector<double> ExpansionSizes::all_rates(const State& state) const {

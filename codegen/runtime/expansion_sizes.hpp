@@ -41,9 +41,9 @@ class ExpansionSizes {
   /// Whether terms that are not linear in amplitudes and excitation vanish beside those that are as all of these
   /// shrink; not with dry friction.
   bool linear_when_small() const { return linear_when_small_; }
-  /// Whether the displacement has a part without amplitudes and excitation: a constant force moves the rest
+  /// Of the displacement's part without amplitudes and excitation, all modes: a constant force moves the rest
   /// position.
-  bool moves_rest(const State& state) const;
+  double rest_size(const State& state) const;
 
  private:
   struct Term {
