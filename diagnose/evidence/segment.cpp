@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -29,7 +28,7 @@ using Eigen::MatrixXd;
 constexpr auto& wanted_samples = diagnose_thresholds().wanted_samples;
 constexpr auto& wanted_steps = diagnose_thresholds().wanted_steps;
 
-/// Turns of the lowest mode in a segment: of decays, at least, and of records that are driven.
+/// Turns of the lowest mode in a segment: of decays, and of records that are driven.
 constexpr auto& decay_turns = diagnose_thresholds().decay_turns;
 constexpr auto& driven_turns = diagnose_thresholds().driven_turns;
 
@@ -103,8 +102,10 @@ class Cutter {
   // Samples of a segment; 0, with a warning, where there is too little for one. Of what is driven they are shorter
   // where so few would be compared that nothing could be held out.
   Index length(const RecordEntry& entry, const Movement& m, std::size_t records) {
-    const auto of_turns = [&](double turns) { return samples_of_turns(m, turns); };
-    Index wanted = cut_.length == SegmentLength::whole ? m.available() : of_turns(m.driven ? decay_turns : turns_);
+    const auto of_turns = [&](double turns) {
+      return static_cast<Index>(std::ceil(turns * two_pi / lowest_ * m.thinned_rate()));
+    };
+    Index wanted = cut_.length == SegmentLength::whole ? m.available() : of_turns(decay_turns);
     if (m.driven && cut_.length != SegmentLength::whole)
       wanted = std::clamp<Index>(longest_of_several(records), wanted, of_turns(driven_turns));
     const auto length = std::min<Index>(m.available(), std::max(fewest_segment_samples, wanted));
@@ -115,15 +116,6 @@ class Cutter {
     left_out(entry, "shorter than a few turns of the lowest mode");
     return 0;
   }
-
-  // Turns of the lowest mode for which a decay stands out from its noise.
-  double loud_turns(const Movement& m) const {
-    const Index length = samples_of_turns(m, decay_turns);
-    return decay_turns * static_cast<double>(pieces_that_stand_out(m, length, noise(m)));
-  }
-
-  // Segments of decays are so long from now on.
-  void take_turns(double turns) { turns_ = turns; }
 
   // By response channel.
   Eigen::VectorXd noise(const Movement& m) const {
@@ -188,10 +180,6 @@ class Cutter {
   }
 
  private:
-  Index samples_of_turns(const Movement& m, double turns) const {
-    return static_cast<Index>(std::ceil(turns * two_pi / lowest_ * m.thinned_rate()));
-  }
-
   std::nullopt_t left_out(const RecordEntry& entry, const std::string& why) {
     warnings_.push_back(entry.file + ": " + why + ", left out");
     return std::nullopt;
@@ -271,7 +259,6 @@ class Cutter {
   Index records_;
   std::vector<std::string>& warnings_;
   double lowest_, highest_;
-  double turns_ = decay_turns;  // in a segment of a decay
   Index responses_;
   std::vector<std::size_t> channels_;
 };
@@ -300,25 +287,6 @@ std::vector<ColouredNoise> coloured_in(const SensorModel& sensors, const std::ve
   return noises;
 }
 
-// Of the lowest mode, in a segment of a decay. Decays are read once for this: segments of all of them are as long,
-// so that they share the noise of (29).
-double turns_of_decays(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
-                       const std::vector<double>& natural_frequency, const SegmentCut& cut,
-                       const std::vector<std::size_t>& records) {
-  std::vector<std::size_t> decays;
-  for (const std::size_t r : records)
-    if (campaign.records[r].kind == RecordKind::free_decay || campaign.records[r].kind == RecordKind::impact)
-      decays.push_back(r);
-  if (decays.size() < 2 || cut.length != SegmentLength::turns || cut.whole_decays) return decay_turns;
-  std::vector<std::string> said_again;  // when they are cut
-  Cutter cutter(sensors, natural_frequency, cut, records.size(), said_again);
-  std::vector<double> loud;
-  for (const std::size_t r : decays)
-    if (const std::optional<Movement> m = cutter.movement(campaign.records[r], read(r)); m && !m->driven)
-      loud.push_back(cutter.loud_turns(*m));
-  return turns_of_segments(std::move(loud));
-}
-
 }  // namespace
 
 MatrixXd at_half_samples(const MatrixXd& samples) {
@@ -336,12 +304,6 @@ MatrixXd at_half_samples(const MatrixXd& samples) {
   return all;
 }
 
-double turns_of_segments(std::vector<double> loud) {
-  if (loud.size() < 2) return decay_turns;
-  std::nth_element(loud.begin(), loud.begin() + 1, loud.end(), std::greater<>());
-  return std::clamp<double>(loud[1] / static_cast<double>(compared_segments), decay_turns, driven_turns);
-}
-
 std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& read, const SensorModel& sensors,
                                   const std::vector<double>& natural_frequency, const SegmentCut& cut,
                                   std::vector<std::string>& warnings) {
@@ -350,7 +312,6 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
     if (!is_steady(campaign.records[r].kind) && cut.window.takes(r, campaign.records[r].file)) records.push_back(r);
   const std::vector<double> began = record_times(campaign);
   Cutter cutter(sensors, natural_frequency, cut, records.size(), warnings);
-  cutter.take_turns(turns_of_decays(campaign, read, sensors, natural_frequency, cut, records));
   std::vector<Segment> segments;
   for (const std::size_t r : records) {
     const RecordEntry& entry = campaign.records[r];

@@ -63,10 +63,6 @@ struct SegmentCut {
   bool skips_blows = false;      ///< readings during a blow do not count, what it does afterwards does
 };
 
-/// Turns of the lowest mode in a segment of decays. `loud`: by decay, those for which it stands out from its noise
-/// (docs/inference.md (49)).
-double turns_of_segments(std::vector<double> loud);
-
 /// Free decays, impacts, sweeps and broadband records as segments. Of a record that holds more than its share of
 /// `most_samples` they are spread over it: evenly over a decay, by how much motion there is over one that is driven
 /// (docs/inference.md (40)). Decays begin where the structure swings freely. Samples are thinned where the record

@@ -25,14 +25,13 @@ double widening(const Segment& s, double share) {
 }
 
 Index beyond_horizon(const Segment& s, double share, double lowest) {
+  if (s.excitation.cols() == 0) return 0;
   constexpr double whole_from = 0.01;  // the finest of wide errors
   const double turns = std::max(diagnose_thresholds().decay_turns,
                                 diagnose_thresholds().driven_turns * std::min(1.0, whole_from / share));
-  const bool driven = s.excitation.cols() > 0;
-  const double least = driven ? diagnose_thresholds().drives_from * s.excitation.cwiseAbs().maxCoeff() : 0;
+  const double least = diagnose_thresholds().drives_from * s.excitation.cwiseAbs().maxCoeff();
   Index begin = 0;
-  while (driven && begin < s.response.cols() && !(s.excitation.col(2 * begin).cwiseAbs().maxCoeff() > least))
-    ++begin;
+  while (begin < s.response.cols() && !(s.excitation.col(2 * begin).cwiseAbs().maxCoeff() > least)) ++begin;
   const double counted = static_cast<double>(begin) + std::ceil(turns * two_pi / lowest / s.sample_s);
   return s.response.cols() - static_cast<Index>(std::min(static_cast<double>(s.response.cols()), counted));
 }
