@@ -19,7 +19,7 @@ class GapSpan {
   GapSpan with(const Eigen::VectorXd& column) const;
 
   /// By row: its square. Where what lies beside these directions is less than it is expected to be, `floor` squared
-  /// for a row that is all beside them, it counts with that (docs/inference.md (50)).
+  /// for a row that is all beside them, it counts with that (docs/inference.md (49)).
   Eigen::VectorXd squares(const Eigen::VectorXd& rows, double floor) const;
 
  private:
