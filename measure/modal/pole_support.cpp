@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "measure/modal/fit_residual.hpp"
 #include "measure/modal/noise_whitening.hpp"
 #include "measure/modal/pole_fit.hpp"
 #include "numerics/confidence.hpp"
@@ -85,11 +86,21 @@ class Selection {
   // Of the samples as they are: each record is whitened by mixing of its own.
   void find_amplitudes() {
     const PoleFit fit = fit_residues(motions_.samples, motions_.sample_rate_hz, fit_.poles);
-    for (std::size_t i = 0; i < chosen_.size(); ++i)
-      for (Index record = 0; record < static_cast<Index>(motions_.groups.size()); ++record)
-        support_[chosen_[i]].amplitudes.push_back(
-            2 *
-            fit.residues.row(static_cast<Index>(i)).segment(record * motions_.channels, motions_.channels).norm());
+    const auto records = static_cast<Index>(motions_.groups.size());
+    const FitResidual whitened(samples_, motions_.sample_rate_hz, fit_);
+    double constant = 1;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      PoleSupport& s = support_[chosen_[i]];
+      const auto row = static_cast<Index>(i);
+      const Eigen::MatrixXcd residues = fit.residues.row(row).reshaped(motions_.channels, records);
+      for (Index record = 0; record < records; ++record) s.amplitudes.push_back(2 * residues.col(record).norm());
+      const double law = whitened.law_gain(row, s.amplitudes, motions_.channels);
+      constant = std::min({constant, chi_squared_upper_tail(law, FitResidual::law_freedom),
+                           whitened.probability_of_one_exponential(row)});
+    }
+    // Of two tests by pole; what one pole leaves is in the noise that all are measured by.
+    for (const std::size_t c : chosen_)
+      support_[c].constant_probability = std::min(1.0, 2 * static_cast<double>(chosen_.size()) * constant);
   }
 
   // The noise is what the poles leave, each carried to where it explains most.

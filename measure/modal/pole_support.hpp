@@ -25,6 +25,8 @@ struct PoleSupport {
   double growth_sd = 0;  ///< of the real part, 1/s
   double omega_sd = 0;   ///< of the imaginary part, rad/s
   std::vector<double> amplitudes;  ///< by record, at its first row: root of the sum of squares over channels
+  /// Of what all poles that stand leave near themselves, were each frequency and damping constant: Eqs. (M5), (M6).
+  double constant_probability = 1;
 };
 
 /// Which of the candidates are motion and not noise. The noise is what all of them together leave, and its colour
