@@ -1,5 +1,6 @@
 #include "measure/modal/pole_support.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,6 +38,43 @@ const std::string at_the_top = "cannot be distinguished from one above half the 
 
 VectorXcd as_vector(const std::vector<Complex>& poles) {
   return Eigen::Map<const VectorXcd>(poles.data(), static_cast<Index>(poles.size()));
+}
+
+// Channels of which no sum is another one or constant: others repeat the same noise, and would count it twice.
+std::vector<Index> independent_channels(const FreeMotions& motions) {
+  const Index rows = motions.samples.rows(), records = motions.samples.cols() / motions.channels;
+  MatrixXd moved(rows * records, motions.channels);
+  const MatrixXd about_mean = motions.samples.rowwise() - motions.samples.colwise().mean();
+  for (Index r = 0; r < records; ++r)
+    moved.middleRows(r * rows, rows) = about_mean.middleCols(r * motions.channels, motions.channels);
+  // Offsets are rounded, too: what is left of a constant is as small against it as rounding.
+  const Eigen::VectorXd level = motions.samples.cwiseAbs().colwise().maxCoeff();
+  constexpr double rounding = 1e-12;
+  for (Index c = 0; c < motions.channels; ++c) {
+    double largest = 0;
+    for (Index r = 0; r < records; ++r) largest = std::max(largest, level(r * motions.channels + c));
+    const double norm = moved.col(c).norm();
+    if (norm > rounding * largest * std::sqrt(static_cast<double>(moved.rows())))
+      moved.col(c) /= norm;
+    else
+      moved.col(c).setZero();
+  }
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(moved);
+  qr.setThreshold(rounding);
+  std::vector<Index> kept;
+  for (Index k = 0; k < qr.rank(); ++k) kept.push_back(qr.colsPermutation().indices()(k));
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+FreeMotions with_channels(const FreeMotions& motions, const std::vector<Index>& kept) {
+  FreeMotions result = motions;
+  result.channels = static_cast<Index>(kept.size());
+  std::vector<Index> columns;
+  for (Index first = 0; first < motions.samples.cols(); first += motions.channels)
+    for (const Index c : kept) columns.push_back(first + c);
+  result.samples = motions.samples(Eigen::all, columns);
+  return result;
 }
 
 // Sums of squares that poles leave, by signal.
@@ -293,7 +331,11 @@ std::vector<PoleSupport> pole_support(const FreeMotions& motions, const std::vec
       motions.samples.cols() != motions.channels * static_cast<Index>(motions.groups.size()))
     throw std::invalid_argument("pole_support: channels and groups do not make up the signals");
   if (candidates.empty()) return {};
-  return Selection(motions, candidates, false_alarm, progress).run();
+  if (!motions.samples.allFinite()) throw std::invalid_argument("pole_support: not finite");
+  const std::vector<Index> kept = independent_channels(motions);
+  if (kept.empty() || static_cast<Index>(kept.size()) == motions.channels)
+    return Selection(motions, candidates, false_alarm, progress).run();
+  return Selection(with_channels(motions, kept), candidates, false_alarm, progress).run();
 }
 
 }  // namespace secular

@@ -36,7 +36,8 @@ struct PoleSupport {
 /// every pole that the records can tell apart, and must stay below `false_alarm`. The poles that stand are left out
 /// again in turn, since of two that lie close the first may have served for both. Where records repeat each other
 /// (one group), the one that shows a pole most is left out, and the others must still show it. A pole whose error
-/// bar is as wide as its resonance says nothing. `progress` hears which share of the candidates is decided on.
+/// bar is as wide as its resonance says nothing. Channels that
+/// are sums of others, or constant, do not count. `progress` hears which share of the candidates is decided on.
 std::vector<PoleSupport> pole_support(const FreeMotions& motions,
                                       const std::vector<std::complex<double>>& candidates,
                                       double false_alarm = 0.01, const std::function<void(double)>& progress = {});

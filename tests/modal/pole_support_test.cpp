@@ -17,6 +17,7 @@
 #include "tests/modal/noisy_modes.hpp"
 #include "tests/modal/pole_of.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/signal/gaussian.hpp"
 
 namespace secular {
 namespace {
@@ -95,6 +96,36 @@ TEST(StatisticalPoleSupport, TwoAndThreeModesAreNotLost) {
     EXPECT_GT(binomial_upper_tail(sum.with_false, sum.runs, 0.01), 1e-3) << modes << ": " << sum.with_false;
     EXPECT_LE(sum.missed, sum.modes / 10) << modes;
   }
+}
+
+// A channel that repeats another one, a sum of others and a constant say nothing new.
+TEST(PoleSupport, ChannelsThatRepeatOthersDoNotCount) {
+  testing_support::Gaussian gaussian(61);
+  const std::complex<double> pole = pole_of(20 * hertz, 0.01);
+  FreeMotions motions;
+  motions.channels = 2;
+  motions.sample_rate_hz = 256;
+  motions.groups = {"", ""};
+  motions.samples.resize(1024, 4);
+  for (Eigen::Index i = 0; i < motions.samples.rows(); ++i)
+    for (Eigen::Index s = 0; s < 4; ++s)
+      motions.samples(i, s) =
+          (std::exp(pole * (static_cast<double>(i) / 256)) * std::polar(1.0, static_cast<double>(s))).real() +
+          0.1 * gaussian();
+  FreeMotions more = motions;
+  more.channels = 5;
+  more.samples.resize(1024, 10);
+  for (Eigen::Index r = 0; r < 2; ++r) {
+    const Eigen::MatrixXd own = motions.samples.middleCols(2 * r, 2);
+    more.samples.middleCols(5 * r, 5) << own, own.col(1), Eigen::VectorXd(own.col(0) - 2 * own.col(1)),
+        Eigen::VectorXd::Constant(1024, 1.7);
+  }
+  const PoleSupport alone = pole_support(motions, {pole}).front(), beside = pole_support(more, {pole}).front();
+  ASSERT_TRUE(alone.stands);
+  ASSERT_TRUE(beside.stands);
+  EXPECT_LT(std::abs(alone.pole - beside.pole), 1e-3 * alone.omega_sd);
+  EXPECT_NEAR(beside.omega_sd / alone.omega_sd, 1, 1e-3);
+  EXPECT_NEAR(beside.growth_sd / alone.growth_sd, 1, 1e-3);
 }
 
 TEST(PoleSupport, GrowthIsReportedWithItsErrorBar) {
