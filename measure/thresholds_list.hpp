@@ -37,7 +37,7 @@ inline constexpr std::array measure_threshold_list = {
     Threshold<MeasureThresholds>{"amplitude_change_false_alarm", &MeasureThresholds::amplitude_change_false_alarm,
                                  ThresholdKind::alarm, "probability",
                                  "motions of constant frequency and damping are said to change with amplitude",
-                                 "per fit of free motions, over all its poles", "modal/survey_decays.cpp"},
+                                 "per fit of free motions, over all its poles", "modal/pole_support.cpp"},
     Threshold<MeasureThresholds>{"offset_sd", &MeasureThresholds::offset_sd, ThresholdKind::alarm,
                                  "standard deviations", "a mean below it is no offset", "probability 6e-5",
                                  "data/data_quality.cpp"},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "measure/modal/record_scatter.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -16,6 +17,8 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
+
+constexpr int most_powers = 3;  // of time, in Eq. (M6)
 
 // exp(pole t) at every row.
 VectorXcd exponential(Index rows, double rate, Complex pole) {
@@ -49,19 +52,11 @@ Eigen::Matrix2d turned(Complex residue) {
   return turn;
 }
 
-MatrixXd inverse_of_positive(const MatrixXd& matrix) {
-  const VectorXd shorten = matrix.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(
-      MatrixXd(shorten.asDiagonal() * matrix * shorten.asDiagonal()));
-  VectorXd values = spectrum.eigenvalues();
-  const double least = 1e-10 * values.maxCoeff();
-  for (double& v : values) v = v > least ? 1 / v : 0;
-  return shorten.asDiagonal() *
-         MatrixXd(spectrum.eigenvectors() * values.asDiagonal() * spectrum.eigenvectors().transpose()) *
-         shorten.asDiagonal();
-}
-
 }  // namespace
+
+double ExplainedSquares::probability() const {
+  return std::min(1.0, tests * chi_squared_upper_tail(gain, freedom));
+}
 
 FitResidual::FitResidual(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz, const PoleFit& fit)
     : fit_(fit), rate_(sample_rate_hz) {
@@ -79,34 +74,79 @@ MatrixXd FitResidual::projected(const MatrixXd& columns) const {
   return columns - basis_ * (basis_.transpose() * columns);
 }
 
-double FitResidual::probability_of_one_exponential(Index pole) const {
+std::vector<ExplainedSquares> FitResidual::along_powers(Index pole) const {
   const Index rows = left_.rows(), signals = left_.cols();
   const VectorXcd motion = exponential(rows, rate_, fit_.poles(pole));
   const VectorXd time = VectorXd::LinSpaced(rows, 0, 1);
-  constexpr int powers = 3;
-  MatrixXd columns(rows, 2 * powers);
+  MatrixXd columns(rows, 2 * most_powers);
   VectorXcd power = motion;
-  double least = 1;
-  for (int k = 1; k <= powers; ++k) {
+  std::vector<ExplainedSquares> found;
+  for (int k = 1; k <= most_powers; ++k) {
     power = power.cwiseProduct(time.cast<Complex>());
     columns.middleCols(2 * (k - 1), 2) = real_columns(power);
     const MatrixXd span = orthonormal_span(projected(columns.leftCols(2 * k)));
     const double gain = (span.transpose() * left_ * weight_.asDiagonal()).squaredNorm();
     const auto freedom = static_cast<double>(span.cols() * signals - 2);  // the pole itself was fitted
-    if (freedom > 0) least = std::min(least, powers * chi_squared_upper_tail(gain, freedom));
+    if (freedom > 0) found.push_back({gain, freedom, most_powers});
   }
-  return least;
+  return found;
 }
 
-double FitResidual::law_gain(Index pole, const std::vector<double>& amplitudes, Index channels) const {
-  const Index rows = left_.rows(), signals = left_.cols(), n = fit_.poles.size();
-  if (signals != channels * static_cast<Index>(amplitudes.size()))
-    throw std::invalid_argument("law_gain: channels and records do not make up the signals");
-  MatrixXd columns(rows, 2 * n + law_freedom);
-  const VectorXd time = VectorXd::LinSpaced(rows, 0, static_cast<double>(rows - 1) / rate_);
+FitResidual::Noise FitResidual::noise() const {
+  const Index rows = left_.rows(), n = fit_.poles.size();
+  const Index powers = n > 0 ? std::min<Index>(most_powers, (rows / 4 - basis_.cols()) / (2 * n)) : 0;
+  if (powers < 1) return {left_, basis_.cols()};
+  const VectorXcd time = VectorXd::LinSpaced(rows, 0, 1).cast<Complex>();
+  MatrixXd columns(rows, 2 * n * powers);
+  for (Index r = 0; r < n; ++r) {
+    VectorXcd power = exponential(rows, rate_, fit_.poles(r));
+    for (Index k = 0; k < powers; ++k) {
+      power = power.cwiseProduct(time);
+      columns.middleCols(2 * (r * powers + k), 2) = real_columns(power);
+    }
+  }
+  const MatrixXd span = orthonormal_span(projected(columns));
+  return {left_ - span * (span.transpose() * left_), basis_.cols() + span.cols()};
+}
+
+// Those of the motion of residue one by its pole, each over the record's duration.
+MatrixXd FitResidual::derivatives() const {
+  const Index rows = left_.rows(), n = fit_.poles.size();
+  MatrixXd columns(rows, 2 * n);
+  const VectorXd time = VectorXd::LinSpaced(rows, 0, 1);
   for (Index r = 0; r < n; ++r)
     columns.middleCols(2 * r, 2) =
-        real_columns(exponential(rows, rate_, fit_.poles(r)).cwiseProduct(time.cast<Complex>()) / time(rows - 1));
+        real_columns(exponential(rows, rate_, fit_.poles(r)).cwiseProduct(time.cast<Complex>()));
+  return columns;
+}
+
+std::vector<PoleInformation> FitResidual::by_record(Index channels) const {
+  const Index signals = left_.cols(), n = fit_.poles.size();
+  if (channels < 1 || signals % channels != 0) throw std::invalid_argument("by_record: no whole records");
+  const MatrixXd columns = projected(derivatives());
+  const double duration = static_cast<double>(left_.rows() - 1) / rate_;
+  const MatrixXd moments = duration * duration * columns.transpose() * columns,
+                 slopes = duration * columns.transpose() * left_;
+  std::vector<PoleInformation> found(static_cast<std::size_t>(signals / channels),
+                                     {MatrixXd::Zero(2 * n, 2 * n), VectorXd::Zero(2 * n)});
+  for (Index s = 0; s < signals; ++s) {
+    MatrixXd turn = MatrixXd::Zero(2 * n, 2 * n);
+    for (Index r = 0; r < n; ++r) turn.block<2, 2>(2 * r, 2 * r) = turned(fit_.residues(r, s) * weight_(s));
+    PoleInformation& record = found[static_cast<std::size_t>(s / channels)];
+    record.hessian += turn.transpose() * moments * turn;
+    record.gradient += turn.transpose() * slopes.col(s) * weight_(s);
+  }
+  return found;
+}
+
+ExplainedSquares FitResidual::along_laws(Index pole, const std::vector<double>& amplitudes, Index channels) const {
+  const Index rows = left_.rows(), signals = left_.cols(), n = fit_.poles.size();
+  if (signals != channels * static_cast<Index>(amplitudes.size()))
+    throw std::invalid_argument("along_laws: channels and records do not make up the signals");
+  constexpr int law_freedom = 4;
+  MatrixXd columns(rows, 2 * n + law_freedom);
+  columns.leftCols(2 * n) = derivatives();
+  const VectorXd time = VectorXd::LinSpaced(rows, 0, static_cast<double>(rows - 1) / rate_);
   const double rate_of_decay = fit_.poles(pole).real(), largest_at = rate_of_decay > 0 ? time(rows - 1) : 0;
   VectorXcd motion = exponential(rows, rate_, fit_.poles(pole));
   for (int k = 1; k <= 2; ++k) {
@@ -121,7 +161,7 @@ double FitResidual::law_gain(Index pole, const std::vector<double>& amplitudes, 
   columns = projected(columns);
   const MatrixXd moments = columns.transpose() * columns, slopes = columns.transpose() * left_;
   const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
-  if (!(most > 0)) return 0;
+  if (!(most > 0)) return {0, law_freedom};
   MatrixXd hessian = MatrixXd::Zero(columns.cols(), columns.cols());
   VectorXd gradient = VectorXd::Zero(columns.cols());
   for (Index s = 0; s < signals; ++s) {
@@ -137,7 +177,7 @@ double FitResidual::law_gain(Index pole, const std::vector<double>& amplitudes, 
   const double all = gradient.dot(inverse_of_positive(hessian) * gradient);
   const MatrixXd poles_only = hessian.topLeftCorner(2 * n, 2 * n);
   const VectorXd slope = gradient.head(2 * n);
-  return std::max(0.0, all - slope.dot(inverse_of_positive(poles_only) * slope));
+  return {std::max(0.0, all - slope.dot(inverse_of_positive(poles_only) * slope)), law_freedom};
 }
 
 }  // namespace secular

@@ -8,6 +8,21 @@
 
 namespace secular {
 
+/// A sum of squares of a residual, chi-squared with `freedom` where it is noise.
+struct ExplainedSquares {
+  double gain = 0, freedom = 0;
+  int tests = 1;  ///< that were made to find it
+  /// In noise, of so much or more in one of the tests.
+  double probability() const;
+};
+
+/// What some signals say of all poles of a fit, linearised: a step of H^-1 g from the fit's, with covariance H^-1.
+/// Unknowns are (real, imaginary part) of each pole, rad/s; noise is of unit level.
+struct PoleInformation {
+  Eigen::MatrixXd hessian;
+  Eigen::VectorXd gradient;
+};
+
 /// What a fit of poles leaves of samples (rows x signals), and whether that is more than noise near one of its
 /// poles.
 class FitResidual {
@@ -18,17 +33,29 @@ class FitResidual {
   /// Rows x signals, unit of the samples.
   const Eigen::MatrixXd& left() const { return left_; }
 
-  /// Eq. (M6): probability, were the motion of `pole` (its place in the fit) one exponential, of so much left along
-  /// its Taylor columns. For poles near each other, shapes that differ, and laws of amplitude of any kind.
-  double probability_of_one_exponential(Eigen::Index pole) const;
+  /// Less what lies along the columns of (M6) of all poles, as many powers as a quarter of the rows determines:
+  /// noise, whatever the fit lacks near its poles.
+  struct Noise {
+    Eigen::MatrixXd samples;    ///< rows x signals
+    Eigen::Index unknowns = 0;  ///< that were taken from each signal
+  };
+  Noise noise() const;
 
-  /// Eq. (M5): the sum of squares that the laws of amplitude explain, chi-squared with law_freedom degrees of
-  /// freedom where frequency and damping are constant. `amplitudes`: of this pole, by record, of whatever unit;
-  /// `channels` signals belong to each.
-  double law_gain(Eigen::Index pole, const std::vector<double>& amplitudes, Eigen::Index channels) const;
-  static constexpr int law_freedom = 4;
+  /// Eq. (M6): what is left along the Taylor columns of `pole` (its place in the fit), by power; noise where its
+  /// motion is one exponential, not for poles near each other, shapes that differ, and laws of amplitude of any
+  /// kind.
+  std::vector<ExplainedSquares> along_powers(Eigen::Index pole) const;
+
+  /// Eq. (M5): what the laws of amplitude explain; noise where frequency and damping are constant. `amplitudes`: of
+  /// this pole, by record, of whatever unit; `channels` signals belong to each.
+  ExplainedSquares along_laws(Eigen::Index pole, const std::vector<double>& amplitudes,
+                              Eigen::Index channels) const;
+
+  /// By record, of which each has `channels` signals.
+  std::vector<PoleInformation> by_record(Eigen::Index channels) const;
 
  private:
+  Eigen::MatrixXd derivatives() const;
   Eigen::MatrixXd projected(const Eigen::MatrixXd& columns) const;
 
   PoleFit fit_;

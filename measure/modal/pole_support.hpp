@@ -22,11 +22,12 @@ struct PoleSupport {
   std::string reason;  ///< why it does not stand
   std::complex<double>
       pole;              ///< rad/s, maximum likelihood in the noise as it was measured; as given where it falls
-  double growth_sd = 0;  ///< of the real part, 1/s
-  double omega_sd = 0;   ///< of the imaginary part, rad/s
+  double growth_sd = 0;  ///< of the real part, 1/s, in this noise, were the motion as the fit has it
+  double omega_sd = 0;   ///< of the imaginary part, rad/s, likewise
+  double growth_error = 0, omega_error = 0;  ///< standard deviations with what Eqs. (M7), (M8) add
   std::vector<double> amplitudes;  ///< by record, at its first row: root of the sum of squares over channels
-  /// Of what all poles that stand leave near themselves, were each frequency and damping constant: Eqs. (M5), (M6).
-  double constant_probability = 1;
+  bool more_than_noise = false;    ///< is left near the pole: Eqs. (M5), (M6)
+  bool all_constant = true;        ///< no pole of the fit leaves more than noise
 };
 
 /// Which of the candidates are motion and not noise. The noise is what all of them together leave, and its colour

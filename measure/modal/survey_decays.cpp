@@ -13,7 +13,6 @@
 #include "measure/modal/pole.hpp"
 #include "measure/modal/survey_poles.hpp"
 #include "measure/signal/transform_length.hpp"
-#include "measure/thresholds.hpp"
 #include "numerics/fourier_transform.hpp"
 #include "numerics/hertz.hpp"
 
@@ -24,8 +23,6 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr auto& amplitude_change_false_alarm = measure_thresholds().amplitude_change_false_alarm;
 
 // Adds up the power spectra of the decays as they come.
 class DecaySpectrum {
@@ -161,7 +158,7 @@ void take_values(SurveyMode& mode, const AmplitudeDependence& dependence) {
   const PoleSupport& support = mode.diagram.support;
   const bool windows_constant =
       frequency.degree == 0 && damping.degree == 0 && !frequency.excess && !damping.excess;
-  if (support.stands && (windows_constant || support.constant_probability >= amplitude_change_false_alarm)) {
+  if (support.stands && (windows_constant || support.all_constant)) {
     mode.from = "maximum likelihood over the free motions, in their own noise; no change with amplitude";
     return;
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -43,8 +44,10 @@ struct Probabilities {
 Probabilities left_by_two_poles(const MatrixXd& samples) {
   const PoleFit fit = refine_poles(samples, rate_of_samples, Eigen::Vector2cd(slow_pole, fast_pole));
   const FitResidual residual(samples, rate_of_samples, fit);
-  const double gain = residual.law_gain(0, {1, 0.4}, 2);
-  return {chi_squared_upper_tail(gain, FitResidual::law_freedom), residual.probability_of_one_exponential(0)};
+  double one_exponential = 1;
+  for (const ExplainedSquares& squares : residual.along_powers(0))
+    one_exponential = std::min(one_exponential, squares.probability());
+  return {residual.along_laws(0, {1, 0.4}, 2).probability(), one_exponential};
 }
 
 TEST(StatisticalFitResidual, ConstantMotionsLeaveNoise) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "input/numerical_failure.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/noise_whitening.hpp"
+#include "measure/modal/record_scatter.hpp"
 #include "numerics/distribution.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/modal/noisy_modes.hpp"
@@ -222,6 +224,94 @@ TEST(NoiseWhitening, TakesColourAndLikenessOut) {
       EXPECT_LT(later.diagonal().cwiseAbs().maxCoeff(), 5 / std::sqrt(rows)) << lag;
     }
   }
+}
+
+// Records of two channels, each mode with a shape of its own, begun anew in every record.
+FreeMotions motions_of(const std::vector<std::complex<double>>& poles, int records,
+                       testing_support::Gaussian& gaussian) {
+  constexpr double level = 0.05, rate_of_samples = 128, shapes[2][2] = {{1, 0.7}, {0.8, -0.6}};
+  FreeMotions motions{Eigen::MatrixXd(512, 2 * records), 2, rate_of_samples,
+                      std::vector<std::string>(static_cast<std::size_t>(records), "")};
+  for (int record = 0; record < records; ++record) {
+    std::vector<std::complex<double>> begin;
+    for (std::size_t r = 0; r < poles.size(); ++r) begin.push_back(std::polar(1.0, 3 * gaussian()));
+    for (int i = 0; i < 512; ++i)
+      for (int c = 0; c < 2; ++c) {
+        double y = level * gaussian();
+        for (std::size_t r = 0; r < poles.size(); ++r)
+          y += shapes[r][c] * (begin[r] * std::exp(poles[r] * (i / rate_of_samples))).real();
+        motions.samples(i, 2 * record + c) = y;
+      }
+  }
+  return motions;
+}
+
+TEST(PoleSupport, OfTwoModesSeenAsOneTheIntervalHoldsOne) {
+  const std::complex<double> first(-1, 20 * hertz), second(-1, 20 * hertz + 2);  // one bandwidth apart
+  testing_support::Gaussian gaussian(71);
+  constexpr int runs = 20;
+  int held = 0, held_by_noise = 0;
+  for (int run = 0; run < runs; ++run) {
+    const PoleSupport s = pole_support(motions_of({first, second}, 2, gaussian), {0.5 * (first + second)}).front();
+    ASSERT_TRUE(s.stands) << s.reason;
+    EXPECT_TRUE(s.more_than_noise);
+    const auto within = [&](double sd) {
+      return std::min(std::abs(s.pole.imag() - first.imag()), std::abs(s.pole.imag() - second.imag())) < 1.96 * sd;
+    };
+    held += within(s.omega_error);
+    held_by_noise += within(s.omega_sd);
+  }
+  EXPECT_GT(binomial_upper_tail(runs - held, runs, 0.05), 1e-3) << held;
+  EXPECT_LT(held_by_noise, runs / 2);  // the noise alone says too little
+}
+
+TEST(PoleSupport, ErrorBarsOfOneModeInNoiseAreThoseOfTheNoise) {
+  const std::complex<double> pole(-1, 20 * hertz);
+  testing_support::Gaussian gaussian(73);
+  constexpr int runs = 50;
+  int wider = 0;
+  for (int run = 0; run < runs; ++run) {
+    const PoleSupport s = pole_support(motions_of({pole}, 2, gaussian), {pole}).front();
+    ASSERT_TRUE(s.stands) << s.reason;
+    wider += s.growth_error > 1.000001 * s.growth_sd || s.omega_error > 1.000001 * s.omega_sd;
+  }
+  EXPECT_GT(binomial_upper_tail(wider, runs, 0.01), 1e-3) << wider;
+}
+
+// One unknown; records with noise of their own, whose true values scatter.
+TEST(RecordScatter, AddsWhatTheCommonValueScattersBy) {
+  const std::vector<double> weights = {1, 4, 2, 0.5};
+  testing_support::Gaussian gaussian(79);
+  constexpr int runs = 20000;
+  constexpr double between = 3;
+  double squares = 0, fourth = 0, said = 0, sum = 0;
+  for (const double weight : weights) sum += weight;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<double> values;
+    double mean = 0;
+    for (const double weight : weights) {
+      values.push_back(std::sqrt(between + 1 / weight) * gaussian());
+      mean += weight * values.back() / sum;
+    }
+    std::vector<PoleInformation> records;
+    for (std::size_t j = 0; j < weights.size(); ++j)
+      records.push_back({Eigen::MatrixXd::Constant(1, 1, weights[j]),
+                         Eigen::VectorXd::Constant(1, weights[j] * (values[j] - mean))});
+    said += 1 / sum + record_scatter(records).front().variance;
+    squares += mean * mean;
+    fourth += std::pow(mean, 4);
+  }
+  // Cut at zero, the added variance is too large by its mean where it would be negative: a tenth at most here.
+  const double true_variance = squares / runs, sampled = std::sqrt(fourth) / runs;
+  EXPECT_GT(said / runs, true_variance - 4 * sampled);
+  EXPECT_LT(said / runs, 1.1 * true_variance + 4 * sampled);
+}
+
+TEST(RecordScatter, TwoRecordsSayNothing) {
+  const PoleInformation up{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Constant(1, 9)},
+      down{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Constant(1, -9)};
+  EXPECT_EQ(record_scatter({up, down}).front().variance, 0);
+  EXPECT_GT(record_scatter({up, down, up, down}).front().variance, 0);
 }
 
 }  // namespace
