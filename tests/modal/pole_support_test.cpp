@@ -262,7 +262,8 @@ TEST(PoleSupport, OfTwoModesSeenAsOneTheIntervalHoldsOne) {
     held_by_noise += within(s.omega_sd);
   }
   EXPECT_GT(binomial_upper_tail(runs - held, runs, 0.05), 1e-3) << held;
-  EXPECT_LT(held_by_noise, runs / 2);  // the noise alone says too little
+  // The noise alone says too little.
+  EXPECT_LT(binomial_upper_tail(runs - held_by_noise, runs, 0.05), 1e-3) << held_by_noise;
 }
 
 TEST(PoleSupport, ErrorBarsOfOneModeInNoiseAreThoseOfTheNoise) {
@@ -273,7 +274,9 @@ TEST(PoleSupport, ErrorBarsOfOneModeInNoiseAreThoseOfTheNoise) {
   for (int run = 0; run < runs; ++run) {
     const PoleSupport s = pole_support(motions_of({pole}, 2, gaussian), {pole}).front();
     ASSERT_TRUE(s.stands) << s.reason;
-    wider += s.growth_error > 1.000001 * s.growth_sd || s.omega_error > 1.000001 * s.omega_sd;
+    // Its level in 2048 samples is told to 1.6 %, and differs by less from one to the other; what (M7) adds where
+    // noise alarms falsely at 1 % makes bars twice as wide.
+    wider += s.growth_error > 1.05 * s.growth_sd || s.omega_error > 1.05 * s.omega_sd;
   }
   EXPECT_GT(binomial_upper_tail(wider, runs, 0.01), 1e-3) << wider;
 }
