@@ -313,7 +313,7 @@ void give_masses(ModalSurvey& survey) {
 // Values of a fit that leaves more than noise near its pole, Eq. (M7).
 void remark_on_excess(ModalSurvey& survey) {
   for (SurveyMode& mode : survey.modes)
-    if (mode.diagram.support.more_than_noise && mode.pole == mode.diagram.support.pole)
+    if (mode.diagram.support.more_than_noise && mode.pole == mode.diagram.support.value)
       mode.remarks.push_back(
           ": one damped motion leaves more than noise there: there may be two modes, or one that changes with "
           "amplitude; its error bars hold a part along its own motion as large as the one that is seen");
@@ -356,7 +356,7 @@ void warn_of_growth(ModalSurvey& survey) {
       survey.warnings.push_back(fmt::format(
           "{} grows in the records: by {:.4g} a second with a standard deviation of {:.2g}, a damping of "
           "{:.3g} %",
-          name, support.pole.real(), support.growth_error, 100 * damping_ratio(support.pole)));
+          name, support.value.real(), support.growth_error, 100 * damping_ratio(support.value)));
     if (mode.trend() == MotionTrend::undetermined)
       survey.warnings.push_back(fmt::format(
           "{}: the records do not distinguish its damping from zero; a tone from outside looks the same", name));
@@ -380,7 +380,7 @@ std::string to_string(MotionTrend trend) {
 MotionTrend SurveyMode::trend() const {
   const PoleSupport& support = diagram.support;
   if (!support.stands) return MotionTrend::undetermined;
-  const Interval growth = confidence_interval(support.pole.real(), support.growth_error, infinite);
+  const Interval growth = confidence_interval(support.value.real(), support.growth_error, infinite);
   if (growth.high < 0) return MotionTrend::decays;
   return growth.low > 0 ? MotionTrend::grows : MotionTrend::undetermined;
 }

@@ -146,7 +146,7 @@ class Selection {
 
   // Error bars hold what the fit leaves near a pole, Eq. (M7), and by what records differ, Eq. (M8).
   void widen() {
-    const FitResidual whitened(samples_, motions_.sample_rate_hz, fit_of_errors_);
+    const FitResidual whitened(samples_, motions_.sample_rate_hz, fit_of_values_);
     const std::vector<RecordScatter> scatter = record_scatter(whitened.by_record(motions_.channels));
     const auto tests = 2 * static_cast<double>(chosen_.size());  // (M5) and (M6) of each pole
     bool constant = true;
@@ -162,8 +162,9 @@ class Selection {
       }
       s.more_than_noise = excess > 0;
       constant = constant && !s.more_than_noise;
-      s.growth_error = widened(fit_of_errors_.growth_sd(row), excess, scatter[2 * i]);
-      s.omega_error = widened(fit_of_errors_.omega_sd(row), excess, scatter[2 * i + 1]);
+      s.value = fit_of_values_.poles(row);
+      s.growth_error = widened(fit_of_values_.growth_sd(row), excess, scatter[2 * i]);
+      s.omega_error = widened(fit_of_values_.omega_sd(row), excess, scatter[2 * i + 1]);
     }
     // What one pole leaves is in the noise that all are measured by.
     for (const std::size_t c : chosen_) support_[c].all_constant = constant;
@@ -202,7 +203,7 @@ class Selection {
   // those in what is left beside it. Where one pole then comes closer to another's place than to its own, the fit
   // has more poles than this noise tells, and stays as it was.
   void whiten_by_chosen() {
-    fit_of_errors_ = fit_;
+    fit_of_values_ = fit_;
     if (chosen_.empty()) return;
     const PoleFit fit = fit_residues(motions_.samples, motions_.sample_rate_hz, fit_.poles);
     const MatrixXd before = samples_;
@@ -213,7 +214,7 @@ class Selection {
     if (stray)
       samples_ = before;
     else
-      fit_of_errors_ = std::move(again);
+      fit_of_values_ = std::move(again);
   }
 
   static Index nearest(const VectorXcd& poles, Complex pole) {
@@ -380,7 +381,7 @@ class Selection {
   VectorXd nothing_;               // sums of squares about the mean, by signal
   std::vector<std::size_t> chosen_;
   PoleFit fit_;            // of the chosen ones
-  PoleFit fit_of_errors_;  // the same in noise that holds nothing of what it lacks
+  PoleFit fit_of_values_;  // the same in noise that holds nothing of what it lacks
 };
 
 }  // namespace

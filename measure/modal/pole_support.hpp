@@ -24,7 +24,8 @@ struct PoleSupport {
       pole;              ///< rad/s, maximum likelihood in the noise as it was measured; as given where it falls
   double growth_sd = 0;  ///< of the real part, 1/s, in this noise, were the motion as the fit has it
   double omega_sd = 0;   ///< of the imaginary part, rad/s, likewise
-  double growth_error = 0, omega_error = 0;  ///< standard deviations with what Eqs. (M7), (M8) add
+  std::complex<double> value;  ///< the pole in noise that holds nothing of what the fit lacks near its poles
+  double growth_error = 0, omega_error = 0;  ///< standard deviations of the value, with what Eqs. (M7), (M8) add
   std::vector<double> amplitudes;  ///< by record, at its first row: root of the sum of squares over channels
   bool more_than_noise = false;    ///< is left near the pole: Eqs. (M5), (M6)
   bool all_constant = true;        ///< no pole of the fit leaves more than noise

@@ -63,7 +63,7 @@ SurveyMode begin_mode(const StableMode& stable) {
   const PoleSupport& support = stable.support;
   SurveyMode mode;
   mode.diagram = stable;
-  mode.pole = support.stands ? support.pole : stable.pole;
+  mode.pole = support.stands ? support.value : stable.pole;
   const double omega = natural_frequency(mode.pole);
   mode.natural_frequency_hz = omega * to_hz;
   mode.damping_ratio = damping_ratio(mode.pole);

@@ -256,7 +256,8 @@ TEST(PoleSupport, OfTwoModesSeenAsOneTheIntervalHoldsOne) {
     ASSERT_TRUE(s.stands) << s.reason;
     EXPECT_TRUE(s.more_than_noise);
     const auto within = [&](double sd) {
-      return std::min(std::abs(s.pole.imag() - first.imag()), std::abs(s.pole.imag() - second.imag())) < 1.96 * sd;
+      return std::min(std::abs(s.value.imag() - first.imag()), std::abs(s.value.imag() - second.imag())) <
+             1.96 * sd;
     };
     held += within(s.omega_error);
     held_by_noise += within(s.omega_sd);
