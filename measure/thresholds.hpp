@@ -16,6 +16,7 @@ struct MeasureThresholds {
   double weak_partner = 0.01;
   double spikes_not_told = 0.01;
   double combination_by_chance = 0.05;
+  double amplitude_change_false_alarm = 0.01;
   double offset_sd = 4;
   double dwell_drift_sd = 4;
   double motion_false_alarm = 1e-6;

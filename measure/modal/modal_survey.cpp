@@ -212,15 +212,18 @@ SurveyMode impact_mode(const StableMode& stable, const ImpactModes& found, std::
   mode.masses = found.masses[r];
   mode.mass = found.mass[r];
   if (without.empty()) return mode;
-  mode.pole = found.poles(row);
-  mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
-  mode.damping_ratio = damping_ratio(mode.pole);
-  mode.degrees_of_freedom = static_cast<double>(without.size() - 1);
-  mode.from = "frequency responses; leaving out one impact at a time";
   const auto sd = [&](const auto& value, double whole) { return jackknife_sd(without, value, whole); };
-  mode.natural_frequency_sd_hz =
-      sd([&](const ImpactModes& m) { return natural_frequency(m.poles(row)) * to_hz; }, mode.natural_frequency_hz);
-  mode.damping_ratio_sd = sd([&](const ImpactModes& m) { return damping_ratio(m.poles(row)); }, mode.damping_ratio);
+  if (!stable.support.stands) {  // nothing follows the blows
+    mode.pole = found.poles(row);
+    mode.natural_frequency_hz = natural_frequency(mode.pole) * to_hz;
+    mode.damping_ratio = damping_ratio(mode.pole);
+    mode.degrees_of_freedom = static_cast<double>(without.size() - 1);
+    mode.from = "frequency responses; leaving out one impact at a time";
+    mode.natural_frequency_sd_hz = sd([&](const ImpactModes& m) { return natural_frequency(m.poles(row)) * to_hz; },
+                                      mode.natural_frequency_hz);
+    mode.damping_ratio_sd =
+        sd([&](const ImpactModes& m) { return damping_ratio(m.poles(row)); }, mode.damping_ratio);
+  }
   mode.shape.windows = without.size();
   for (Index c = 0; c < mode.shape.mean.size(); ++c) {
     mode.shape.real_sd(c) =
@@ -307,6 +310,15 @@ void give_masses(ModalSurvey& survey) {
   }
 }
 
+// Values of a fit that leaves more than noise near its pole, Eq. (M7).
+void remark_on_excess(ModalSurvey& survey) {
+  for (SurveyMode& mode : survey.modes)
+    if (mode.diagram.support.more_than_noise && mode.pole == mode.diagram.support.value)
+      mode.remarks.push_back(
+          ": one damped motion leaves more than noise there: there may be two modes, or one that changes with "
+          "amplitude; its error bars hold a part along its own motion as large as the one that is seen");
+}
+
 std::string nothing_stands(const ModalSurvey& survey) {
   if (survey.dropped.empty()) return "no mode stands in the stabilisation diagram";
   std::string list;
@@ -344,7 +356,7 @@ void warn_of_growth(ModalSurvey& survey) {
       survey.warnings.push_back(fmt::format(
           "{} grows in the records: by {:.4g} a second with a standard deviation of {:.2g}, a damping of "
           "{:.3g} %",
-          name, support.pole.real(), support.growth_sd, 100 * damping_ratio(support.pole)));
+          name, support.value.real(), support.growth_error, 100 * damping_ratio(support.value)));
     if (mode.trend() == MotionTrend::undetermined)
       survey.warnings.push_back(fmt::format(
           "{}: the records do not distinguish its damping from zero; a tone from outside looks the same", name));
@@ -368,7 +380,7 @@ std::string to_string(MotionTrend trend) {
 MotionTrend SurveyMode::trend() const {
   const PoleSupport& support = diagram.support;
   if (!support.stands) return MotionTrend::undetermined;
-  const Interval growth = confidence_interval(support.pole.real(), support.growth_sd, infinite);
+  const Interval growth = confidence_interval(support.value.real(), support.growth_error, infinite);
   if (growth.high < 0) return MotionTrend::decays;
   return growth.low > 0 ? MotionTrend::grows : MotionTrend::undetermined;
 }
@@ -425,6 +437,7 @@ ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyO
                                "; another --band, a larger --order or a part with less noise (--from, --to) may "
                                "show more");
   set_tones_aside(survey);
+  remark_on_excess(survey);
   warn_of_modes(survey);
   MatrixXcd shapes(static_cast<Index>(survey.channels.size()), static_cast<Index>(survey.modes.size()));
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {

@@ -125,12 +125,13 @@ struct ModalSurvey {
 };
 
 /// Modes from the impacts where the campaign has records of kind `impact` with a force channel (H1, realization
-/// with feed-through, poles and residues refined on the lines of the band, error bars by leaving out one impact at
-/// a time); otherwise from the free decays (an impact without a force channel is one). Of the poles that stand in
-/// the stabilisation diagram those that the free motions do not support (pole_support) are dropped. Frequency and
-/// damping against amplitude from the free decays where there are any. Throws InputError for a campaign with
-/// neither, responses of different quantities, options that do not fit the campaign, records too short;
-/// NumericalFailure where no mode stands out of the noise.
+/// with feed-through, poles and residues refined on the lines of the band, error bars of shapes and masses by
+/// leaving out one impact at a time; frequencies and dampings by the same fit of free motions as those of decays,
+/// or by the lines where nothing follows the blows); otherwise from the free decays (an impact without a force
+/// channel is one). Of the poles that stand in the stabilisation diagram those that the free motions do not support
+/// (pole_support) are dropped. Frequency and damping against amplitude from the free decays where there are any.
+/// Throws InputError for a campaign with neither, responses of different quantities, options that do not fit the
+/// campaign, records too short; NumericalFailure where no mode stands out of the noise.
 ModalSurvey modal_survey(const std::filesystem::path& campaign, const ModalSurveyOptions& options);
 
 /// The [modal_basis] table of campaign.toml, mode names v1, v2, ... Throws InputError where a mass is missing.

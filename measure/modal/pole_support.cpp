@@ -1,5 +1,6 @@
 #include "measure/modal/pole_support.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,8 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "measure/modal/fit_residual.hpp"
 #include "measure/modal/noise_whitening.hpp"
 #include "measure/modal/pole_fit.hpp"
+#include "measure/modal/record_scatter.hpp"
+#include "measure/thresholds.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/distribution.hpp"
 #include "numerics/hertz.hpp"
@@ -23,6 +27,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+constexpr auto& amplitude_change_false_alarm = measure_thresholds().amplitude_change_false_alarm;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 const std::string of_noise = "explains no more of the records than noise does";
@@ -36,6 +41,43 @@ const std::string at_the_top = "cannot be distinguished from one above half the 
 
 VectorXcd as_vector(const std::vector<Complex>& poles) {
   return Eigen::Map<const VectorXcd>(poles.data(), static_cast<Index>(poles.size()));
+}
+
+// Channels of which no sum is another one or constant: others repeat the same noise, and would count it twice.
+std::vector<Index> independent_channels(const FreeMotions& motions) {
+  const Index rows = motions.samples.rows(), records = motions.samples.cols() / motions.channels;
+  MatrixXd moved(rows * records, motions.channels);
+  const MatrixXd about_mean = motions.samples.rowwise() - motions.samples.colwise().mean();
+  for (Index r = 0; r < records; ++r)
+    moved.middleRows(r * rows, rows) = about_mean.middleCols(r * motions.channels, motions.channels);
+  // Offsets are rounded, too: what is left of a constant is as small against it as rounding.
+  const Eigen::VectorXd level = motions.samples.cwiseAbs().colwise().maxCoeff();
+  constexpr double rounding = 1e-12;
+  for (Index c = 0; c < motions.channels; ++c) {
+    double largest = 0;
+    for (Index r = 0; r < records; ++r) largest = std::max(largest, level(r * motions.channels + c));
+    const double norm = moved.col(c).norm();
+    if (norm > rounding * largest * std::sqrt(static_cast<double>(moved.rows())))
+      moved.col(c) /= norm;
+    else
+      moved.col(c).setZero();
+  }
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(moved);
+  qr.setThreshold(rounding);
+  std::vector<Index> kept;
+  for (Index k = 0; k < qr.rank(); ++k) kept.push_back(qr.colsPermutation().indices()(k));
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+FreeMotions with_channels(const FreeMotions& motions, const std::vector<Index>& kept) {
+  FreeMotions result = motions;
+  result.channels = static_cast<Index>(kept.size());
+  std::vector<Index> columns;
+  for (Index first = 0; first < motions.samples.cols(); first += motions.channels)
+    for (const Index c : kept) columns.push_back(first + c);
+  result.samples = motions.samples(Eigen::all, columns);
+  return result;
 }
 
 // Sums of squares that poles leave, by signal.
@@ -66,18 +108,26 @@ class Selection {
       else
         support_[c].reason = of_noise;
     if (open_.empty()) return support_;
-    whiten();
+    whiten_by_candidates();
     add_poles();
     drop_redundant();
     drop_unrepeated();
     drop_wide();
+    whiten_by_chosen();
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
       PoleSupport& s = support_[chosen_[i]];
       const auto row = static_cast<Index>(i);
       s.reason = no_resonance(row);
-      if (s.reason.empty()) s = {true, "", fit_.poles(row), fit_.growth_sd(row), fit_.omega_sd(row), {}};
+      if (s.reason.empty()) {
+        s.stands = true;
+        s.pole = fit_.poles(row);
+        s.growth_sd = fit_.growth_sd(row);
+        s.omega_sd = fit_.omega_sd(row);
+      }
     }
-    if (!chosen_.empty()) find_amplitudes();
+    if (chosen_.empty()) return support_;
+    find_amplitudes();
+    widen();
     return support_;
   }
 
@@ -85,23 +135,92 @@ class Selection {
   // Of the samples as they are: each record is whitened by mixing of its own.
   void find_amplitudes() {
     const PoleFit fit = fit_residues(motions_.samples, motions_.sample_rate_hz, fit_.poles);
-    for (std::size_t i = 0; i < chosen_.size(); ++i)
-      for (Index record = 0; record < static_cast<Index>(motions_.groups.size()); ++record)
-        support_[chosen_[i]].amplitudes.push_back(
-            2 *
-            fit.residues.row(static_cast<Index>(i)).segment(record * motions_.channels, motions_.channels).norm());
+    const auto records = static_cast<Index>(motions_.groups.size());
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      const Eigen::MatrixXcd residues =
+          fit.residues.row(static_cast<Index>(i)).reshaped(motions_.channels, records);
+      for (Index record = 0; record < records; ++record)
+        support_[chosen_[i]].amplitudes.push_back(2 * residues.col(record).norm());
+    }
   }
 
-  // The noise is what the poles leave, each carried to where it explains most.
-  void whiten() {
-    const double rate = motions_.sample_rate_hz, largest = motions_.samples.cwiseAbs().maxCoeff();
-    const PoleFit fit = refine_poles(motions_.samples, rate, determined());
+  // Error bars hold what the fit leaves near a pole, Eq. (M7), and by what records differ, Eq. (M8).
+  void widen() {
+    const FitResidual whitened(samples_, motions_.sample_rate_hz, fit_of_values_);
+    const std::vector<RecordScatter> scatter = record_scatter(whitened.by_record(motions_.channels));
+    const auto tests = 2 * static_cast<double>(chosen_.size());  // (M5) and (M6) of each pole
+    bool constant = true;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      PoleSupport& s = support_[chosen_[i]];
+      const auto row = static_cast<Index>(i);
+      std::vector<ExplainedSquares> seen = whitened.along_powers(row);
+      seen.push_back(whitened.along_laws(row, s.amplitudes, motions_.channels));
+      double excess = 0;
+      for (const ExplainedSquares& squares : seen) {
+        if (tests * squares.probability() < amplitude_change_false_alarm)
+          excess = std::max(excess, squares.gain - squares.freedom);
+      }
+      s.more_than_noise = excess > 0;
+      constant = constant && !s.more_than_noise;
+      s.value = fit_of_values_.poles(row);
+      s.growth_error = widened(fit_of_values_.growth_sd(row), excess, scatter[2 * i]);
+      s.omega_error = widened(fit_of_values_.omega_sd(row), excess, scatter[2 * i + 1]);
+    }
+    // What one pole leaves is in the noise that all are measured by.
+    for (const std::size_t c : chosen_) support_[c].all_constant = constant;
+  }
+
+  // A part of the excess along the pole's columns counts as two standard deviations, and so does the 95 % interval
+  // of a scatter that few records tell.
+  static double widened(double sd, double excess, const RecordScatter& scatter) {
+    const double noise = sd * sd, both = noise + scatter.variance;
+    double student = 1;
+    if (scatter.variance > 0) {
+      const double freedom = scatter.degrees_of_freedom * std::pow(both / scatter.variance, 2);
+      student = confidence_interval(0, 1, freedom).high / confidence_interval(0, 1, unlimited).high;
+    }
+    return std::sqrt(student * student * both + noise * excess / 4);
+  }
+
+  void whiten(const FitResidual::Noise& noise) {
+    const double largest = motions_.samples.cwiseAbs().maxCoeff();
     // Rounding of what a reader or a filter made of the samples.
     constexpr double rounding = 1e-12;
-    const NoiseWhitening whitening(residual(fit), motions_.channels, 2 * fit.poles.size() + 1, rounding * largest);
+    const NoiseWhitening whitening(noise.samples, motions_.channels, noise.unknowns, rounding * largest);
     samples_ = whitening(motions_.samples);
     const Eigen::RowVectorXd mean = samples_.colwise().mean();
     nothing_ = (samples_.rowwise() - mean).colwise().squaredNorm().transpose();
+  }
+
+  // The noise is what all candidates leave, each carried to where it explains most.
+  void whiten_by_candidates() {
+    const PoleFit fit = refine_poles(motions_.samples, motions_.sample_rate_hz, determined());
+    const FitResidual residual(motions_.samples, motions_.sample_rate_hz, fit);
+    whiten({residual.left(), 2 * fit.poles.size() + 1});
+  }
+
+  // What the poles that stand lack near them is no noise, and would hide there from (M5) and (M6): error bars are
+  // those in what is left beside it. Where one pole then comes closer to another's place than to its own, the fit
+  // has more poles than this noise tells, and stays as it was.
+  void whiten_by_chosen() {
+    fit_of_values_ = fit_;
+    if (chosen_.empty()) return;
+    const PoleFit fit = fit_residues(motions_.samples, motions_.sample_rate_hz, fit_.poles);
+    const MatrixXd before = samples_;
+    whiten(FitResidual(motions_.samples, motions_.sample_rate_hz, fit).noise());
+    PoleFit again = refined(fit_.poles);
+    bool stray = false;
+    for (Index r = 0; r < again.poles.size(); ++r) stray = stray || nearest(fit_.poles, again.poles(r)) != r;
+    if (stray)
+      samples_ = before;
+    else
+      fit_of_values_ = std::move(again);
+  }
+
+  static Index nearest(const VectorXcd& poles, Complex pole) {
+    Index at = 0;
+    (poles.array() - pole).abs().minCoeff(&at);
+    return at;
   }
 
   // As many as the rows determine together, those that explain most each by itself.
@@ -117,16 +236,6 @@ class Selection {
     std::vector<Complex> kept;
     for (const auto& [rest, c] : by_rest) kept.push_back(candidates_[c]);
     return as_vector(kept);
-  }
-
-  MatrixXd residual(const PoleFit& fit) const {
-    MatrixXd left = motions_.samples;
-    for (Index r = 0; r < fit.poles.size(); ++r)
-      for (Index i = 0; i < left.rows(); ++i) {
-        const Complex motion = std::exp(fit.poles(r) * (static_cast<double>(i) / motions_.sample_rate_hz));
-        left.row(i) -= 2 * (motion * fit.residues.row(r)).real();
-      }
-    return left.rowwise() - left.colwise().mean();
   }
 
   PoleFit refined(const VectorXcd& start) const { return refine_poles(samples_, motions_.sample_rate_hz, start); }
@@ -271,7 +380,8 @@ class Selection {
   MatrixXd samples_;               // whitened
   VectorXd nothing_;               // sums of squares about the mean, by signal
   std::vector<std::size_t> chosen_;
-  PoleFit fit_;  // of the chosen ones
+  PoleFit fit_;            // of the chosen ones
+  PoleFit fit_of_values_;  // the same in noise that holds nothing of what it lacks
 };
 
 }  // namespace
@@ -282,7 +392,11 @@ std::vector<PoleSupport> pole_support(const FreeMotions& motions, const std::vec
       motions.samples.cols() != motions.channels * static_cast<Index>(motions.groups.size()))
     throw std::invalid_argument("pole_support: channels and groups do not make up the signals");
   if (candidates.empty()) return {};
-  return Selection(motions, candidates, false_alarm, progress).run();
+  if (!motions.samples.allFinite()) throw std::invalid_argument("pole_support: not finite");
+  const std::vector<Index> kept = independent_channels(motions);
+  if (kept.empty() || static_cast<Index>(kept.size()) == motions.channels)
+    return Selection(motions, candidates, false_alarm, progress).run();
+  return Selection(with_channels(motions, kept), candidates, false_alarm, progress).run();
 }
 
 }  // namespace secular

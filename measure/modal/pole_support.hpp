@@ -22,9 +22,13 @@ struct PoleSupport {
   std::string reason;  ///< why it does not stand
   std::complex<double>
       pole;              ///< rad/s, maximum likelihood in the noise as it was measured; as given where it falls
-  double growth_sd = 0;  ///< of the real part, 1/s
-  double omega_sd = 0;   ///< of the imaginary part, rad/s
+  double growth_sd = 0;  ///< of the real part, 1/s, in this noise, were the motion as the fit has it
+  double omega_sd = 0;   ///< of the imaginary part, rad/s, likewise
+  std::complex<double> value;  ///< the pole in noise that holds nothing of what the fit lacks near its poles
+  double growth_error = 0, omega_error = 0;  ///< standard deviations of the value, with what Eqs. (M7), (M8) add
   std::vector<double> amplitudes;  ///< by record, at its first row: root of the sum of squares over channels
+  bool more_than_noise = false;    ///< is left near the pole: Eqs. (M5), (M6)
+  bool all_constant = true;        ///< no pole of the fit leaves more than noise
 };
 
 /// Which of the candidates are motion and not noise. The noise is what all of them together leave, and its colour
@@ -34,7 +38,8 @@ struct PoleSupport {
 /// every pole that the records can tell apart, and must stay below `false_alarm`. The poles that stand are left out
 /// again in turn, since of two that lie close the first may have served for both. Where records repeat each other
 /// (one group), the one that shows a pole most is left out, and the others must still show it. A pole whose error
-/// bar is as wide as its resonance says nothing. `progress` hears which share of the candidates is decided on.
+/// bar is as wide as its resonance says nothing. Channels that
+/// are sums of others, or constant, do not count. `progress` hears which share of the candidates is decided on.
 std::vector<PoleSupport> pole_support(const FreeMotions& motions,
                                       const std::vector<std::complex<double>>& candidates,
                                       double false_alarm = 0.01, const std::function<void(double)>& progress = {});

@@ -151,30 +151,17 @@ bool follows(const ModalSurvey& survey, std::size_t r, const AmplitudeDependence
   });
 }
 
-// The values of a mode whose windows show no change with amplitude are those of the one fit over all samples, which
-// is the better estimate; that one of the other laws may be true is in its error bar, Eq. (M4).
-void take_fit_of_all(SurveyMode& mode, const AmplitudeLaw& frequency, const AmplitudeLaw& damping) {
-  const PoleSupport& support = mode.diagram.support;
-  const double omega = natural_frequency(support.pole), along = support.pole.imag() / omega,
-               across = support.pole.real() / omega;
-  const auto sd_of = [](const AmplitudeLaw& law, double value, double sd) {
-    return std::sqrt(law.probability[0] * sd * sd + law.others_variance(value * to_hz) / (to_hz * to_hz));
-  };
-  const double omega_sd = sd_of(frequency, support.pole.imag(), support.omega_sd),
-               growth_sd = sd_of(damping, support.pole.real(), support.growth_sd);
-  mode.pole = support.pole;
-  mode.natural_frequency_hz = omega * to_hz;
-  mode.damping_ratio = damping_ratio(support.pole);
-  mode.natural_frequency_sd_hz = std::hypot(along * omega_sd, across * growth_sd) * to_hz;
-  mode.damping_ratio_sd = along * std::hypot(along * growth_sd, across * omega_sd) / omega;
-  mode.degrees_of_freedom = std::numeric_limits<double>::infinity();
-  mode.from = "maximum likelihood over the free motions; windows show no change with amplitude";
-}
-
+// The values of the one fit over all samples are the better estimate where neither these, Eq. (M5), nor the windows
+// tell a change with amplitude: windows lose the phase from one to the next.
 void take_values(SurveyMode& mode, const AmplitudeDependence& dependence) {
   const AmplitudeLaw &frequency = dependence.frequency_law, &damping = dependence.damping_law;
-  const bool linear = frequency.degree == 0 && damping.degree == 0 && !frequency.excess && !damping.excess;
-  if (linear && mode.diagram.support.stands) return take_fit_of_all(mode, frequency, damping);
+  const PoleSupport& support = mode.diagram.support;
+  const bool windows_constant =
+      frequency.degree == 0 && damping.degree == 0 && !frequency.excess && !damping.excess;
+  if (support.stands && (windows_constant || support.all_constant)) {
+    mode.from = "maximum likelihood over the free motions, in their own noise; no change with amplitude";
+    return;
+  }
   mode.natural_frequency_hz = dependence.natural_frequency_hz;
   mode.natural_frequency_sd_hz = dependence.natural_frequency_sd_hz;
   mode.damping_ratio = dependence.damping_ratio;

@@ -63,14 +63,14 @@ SurveyMode begin_mode(const StableMode& stable) {
   const PoleSupport& support = stable.support;
   SurveyMode mode;
   mode.diagram = stable;
-  mode.pole = support.stands ? support.pole : stable.pole;
+  mode.pole = support.stands ? support.value : stable.pole;
   const double omega = natural_frequency(mode.pole);
   mode.natural_frequency_hz = omega * to_hz;
   mode.damping_ratio = damping_ratio(mode.pole);
   if (support.stands) {
     const double along = mode.pole.imag() / omega, across = mode.pole.real() / omega;
-    mode.natural_frequency_sd_hz = std::hypot(along * support.omega_sd, across * support.growth_sd) * to_hz;
-    mode.damping_ratio_sd = along * std::hypot(along * support.growth_sd, across * support.omega_sd) / omega;
+    mode.natural_frequency_sd_hz = std::hypot(along * support.omega_error, across * support.growth_error) * to_hz;
+    mode.damping_ratio_sd = along * std::hypot(along * support.growth_error, across * support.omega_error) / omega;
     mode.degrees_of_freedom = std::numeric_limits<double>::infinity();  // of a noise that all samples tell
     mode.from = "maximum likelihood over the free motions, in their own noise";
   } else {

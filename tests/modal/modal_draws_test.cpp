@@ -171,6 +171,11 @@ Score score_of(const DrawnTest& test, std::uint64_t seed) {
       const double error = mode.natural_frequency_hz * turn_of_one_hertz - omega;
       score.square += std::pow(error / best.omega_sd(static_cast<Eigen::Index>(nearest)), 2);
       ++score.bounded;
+      const double bounds = std::abs(error) / best.omega_sd(static_cast<Eigen::Index>(nearest));
+      if (bounds > 3 && std::getenv("SECULAR_MODAL_TELL"))
+        std::cout << "  draw " << seed << " (" << test.kind << "): error of " << bounds << " bounds, said "
+                  << mode.natural_frequency_hz << " +- " << mode.natural_frequency_sd_hz << ", " << mode.from
+                  << '\n';
     }
   }
   // One that a fit which knows of all others does not know to a fifth of its half bandwidth may be missed.
@@ -223,6 +228,8 @@ TEST(SlowModalDraws, IntervalsHoldAndModesAreThoseOfTheStructure) {
   EXPECT_GT(binomial_upper_tail(apart.intervals - apart.frequency, apart.intervals, 0.07), 1e-3);
   EXPECT_GT(binomial_upper_tail(apart.intervals - apart.damping, apart.intervals, 0.07), 1e-3);
   EXPECT_GT(binomial_upper_tail(apart.with_false, apart.draws, 0.02), 1e-3);
+  // Errors of frequencies are 1.2 times the Cramer-Rao bound at most.
+  EXPECT_GT(chi_squared_upper_tail(apart.square / 1.44, apart.bounded), 1e-3);
   EXPECT_GT(binomial_upper_tail(all.with_false, all.draws, 0.02), 1e-3);
 }
 

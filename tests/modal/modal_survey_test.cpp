@@ -12,6 +12,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/modal/modal_mass.hpp"
+#include "measure/modal/pole.hpp"
 #include "measure/modal/survey_bands.hpp"
 #include "tests/campaign/write_campaign.hpp"
 #include "tests/modal/structure_campaign.hpp"

@@ -1,0 +1,183 @@
+#include "measure/modal/fit_residual.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "measure/modal/record_scatter.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+constexpr int most_powers = 3;  // of time, in Eq. (M6)
+
+// exp(pole t) at every row.
+VectorXcd exponential(Index rows, double rate, Complex pole) {
+  VectorXcd e(rows);
+  for (Index i = 0; i < rows; ++i) e(i) = std::exp(pole * (static_cast<double>(i) / rate));
+  return e;
+}
+
+// Real columns of (Re R, Im R) in 2 Re(R motion).
+MatrixXd real_columns(const VectorXcd& motion) {
+  MatrixXd columns(motion.size(), 2);
+  columns << 2 * motion.real(), -2 * motion.imag();
+  return columns;
+}
+
+// Orthonormal columns that span the given ones; those that depend on others to rounding are left out.
+MatrixXd orthonormal_span(MatrixXd columns) {
+  for (Index c = 0; c < columns.cols(); ++c) {
+    const double norm = columns.col(c).norm();
+    if (norm > 0) columns.col(c) /= norm;
+  }
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  qr.setThreshold(1e-9);
+  return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+// (Re, Im) of `factor` times a residue's columns, as amplitudes of these columns.
+Eigen::Matrix2d turned(Complex residue) {
+  Eigen::Matrix2d turn;
+  turn << residue.real(), -residue.imag(), residue.imag(), residue.real();
+  return turn;
+}
+
+}  // namespace
+
+double ExplainedSquares::probability() const {
+  return std::min(1.0, tests * chi_squared_upper_tail(gain, freedom));
+}
+
+FitResidual::FitResidual(const Eigen::Ref<const MatrixXd>& samples, double sample_rate_hz, const PoleFit& fit)
+    : fit_(fit), rate_(sample_rate_hz) {
+  const Index rows = samples.rows(), n = fit.poles.size();
+  MatrixXd columns(rows, 2 * n + 1);
+  for (Index r = 0; r < n; ++r) columns.middleCols(2 * r, 2) = real_columns(exponential(rows, rate_, fit.poles(r)));
+  columns.col(2 * n).setOnes();
+  basis_ = orthonormal_span(columns);
+  left_ = samples - basis_ * (basis_.transpose() * samples);
+  const double floor = 1e-14 * samples.cwiseAbs().maxCoeff() + 1e-300;
+  weight_ = fit.noise_sd.cwiseMax(floor).cwiseInverse();
+}
+
+MatrixXd FitResidual::projected(const MatrixXd& columns) const {
+  return columns - basis_ * (basis_.transpose() * columns);
+}
+
+std::vector<ExplainedSquares> FitResidual::along_powers(Index pole) const {
+  const Index rows = left_.rows(), signals = left_.cols();
+  const VectorXcd motion = exponential(rows, rate_, fit_.poles(pole));
+  const VectorXd time = VectorXd::LinSpaced(rows, 0, 1);
+  MatrixXd columns(rows, 2 * most_powers);
+  VectorXcd power = motion;
+  std::vector<ExplainedSquares> found;
+  for (int k = 1; k <= most_powers; ++k) {
+    power = power.cwiseProduct(time.cast<Complex>());
+    columns.middleCols(2 * (k - 1), 2) = real_columns(power);
+    const MatrixXd span = orthonormal_span(projected(columns.leftCols(2 * k)));
+    const double gain = (span.transpose() * left_ * weight_.asDiagonal()).squaredNorm();
+    const auto freedom = static_cast<double>(span.cols() * signals - 2);  // the pole itself was fitted
+    if (freedom > 0) found.push_back({gain, freedom, most_powers});
+  }
+  return found;
+}
+
+FitResidual::Noise FitResidual::noise() const {
+  const Index rows = left_.rows(), n = fit_.poles.size();
+  const Index powers = n > 0 ? std::min<Index>(most_powers, (rows / 4 - basis_.cols()) / (2 * n)) : 0;
+  if (powers < 1) return {left_, basis_.cols()};
+  const VectorXcd time = VectorXd::LinSpaced(rows, 0, 1).cast<Complex>();
+  MatrixXd columns(rows, 2 * n * powers);
+  for (Index r = 0; r < n; ++r) {
+    VectorXcd power = exponential(rows, rate_, fit_.poles(r));
+    for (Index k = 0; k < powers; ++k) {
+      power = power.cwiseProduct(time);
+      columns.middleCols(2 * (r * powers + k), 2) = real_columns(power);
+    }
+  }
+  const MatrixXd span = orthonormal_span(projected(columns));
+  return {left_ - span * (span.transpose() * left_), basis_.cols() + span.cols()};
+}
+
+// Those of the motion of residue one by its pole, each over the record's duration.
+MatrixXd FitResidual::derivatives() const {
+  const Index rows = left_.rows(), n = fit_.poles.size();
+  MatrixXd columns(rows, 2 * n);
+  const VectorXd time = VectorXd::LinSpaced(rows, 0, 1);
+  for (Index r = 0; r < n; ++r)
+    columns.middleCols(2 * r, 2) =
+        real_columns(exponential(rows, rate_, fit_.poles(r)).cwiseProduct(time.cast<Complex>()));
+  return columns;
+}
+
+std::vector<PoleInformation> FitResidual::by_record(Index channels) const {
+  const Index signals = left_.cols(), n = fit_.poles.size();
+  if (channels < 1 || signals % channels != 0) throw std::invalid_argument("by_record: no whole records");
+  const MatrixXd columns = projected(derivatives());
+  const double duration = static_cast<double>(left_.rows() - 1) / rate_;
+  const MatrixXd moments = duration * duration * columns.transpose() * columns,
+                 slopes = duration * columns.transpose() * left_;
+  std::vector<PoleInformation> found(static_cast<std::size_t>(signals / channels),
+                                     {MatrixXd::Zero(2 * n, 2 * n), VectorXd::Zero(2 * n)});
+  for (Index s = 0; s < signals; ++s) {
+    MatrixXd turn = MatrixXd::Zero(2 * n, 2 * n);
+    for (Index r = 0; r < n; ++r) turn.block<2, 2>(2 * r, 2 * r) = turned(fit_.residues(r, s) * weight_(s));
+    PoleInformation& record = found[static_cast<std::size_t>(s / channels)];
+    record.hessian += turn.transpose() * moments * turn;
+    record.gradient += turn.transpose() * slopes.col(s) * weight_(s);
+  }
+  return found;
+}
+
+ExplainedSquares FitResidual::along_laws(Index pole, const std::vector<double>& amplitudes, Index channels) const {
+  const Index rows = left_.rows(), signals = left_.cols(), n = fit_.poles.size();
+  if (signals != channels * static_cast<Index>(amplitudes.size()))
+    throw std::invalid_argument("along_laws: channels and records do not make up the signals");
+  constexpr int law_freedom = 4;
+  MatrixXd columns(rows, 2 * n + law_freedom);
+  columns.leftCols(2 * n) = derivatives();
+  const VectorXd time = VectorXd::LinSpaced(rows, 0, static_cast<double>(rows - 1) / rate_);
+  const double rate_of_decay = fit_.poles(pole).real(), largest_at = rate_of_decay > 0 ? time(rows - 1) : 0;
+  VectorXcd motion = exponential(rows, rate_, fit_.poles(pole));
+  for (int k = 1; k <= 2; ++k) {
+    const double rate = k * rate_of_decay;
+    VectorXcd turned_motion = motion;
+    for (Index i = 0; i < rows; ++i) {
+      const double t = time(i) - largest_at;
+      turned_motion(i) *= (std::abs(rate * t) > 1e-9 ? std::expm1(rate * t) / rate : t) / time(rows - 1);
+    }
+    columns.middleCols(2 * (n + k - 1), 2) = real_columns(turned_motion);
+  }
+  columns = projected(columns);
+  const MatrixXd moments = columns.transpose() * columns, slopes = columns.transpose() * left_;
+  const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
+  if (!(most > 0)) return {0, law_freedom};
+  MatrixXd hessian = MatrixXd::Zero(columns.cols(), columns.cols());
+  VectorXd gradient = VectorXd::Zero(columns.cols());
+  for (Index s = 0; s < signals; ++s) {
+    const double share = amplitudes[static_cast<std::size_t>(s / channels)] / most;
+    MatrixXd turn = MatrixXd::Zero(columns.cols(), columns.cols());
+    for (Index r = 0; r < n; ++r) turn.block<2, 2>(2 * r, 2 * r) = turned(fit_.residues(r, s) * weight_(s));
+    for (int k = 1; k <= 2; ++k)
+      turn.block<2, 2>(2 * (n + k - 1), 2 * (n + k - 1)) =
+          turned(fit_.residues(pole, s) * weight_(s) * std::pow(share, k));
+    hessian += turn.transpose() * moments * turn;
+    gradient += turn.transpose() * slopes.col(s) * weight_(s);
+  }
+  const double all = gradient.dot(inverse_of_positive(hessian) * gradient);
+  const MatrixXd poles_only = hessian.topLeftCorner(2 * n, 2 * n);
+  const VectorXd slope = gradient.head(2 * n);
+  return {std::max(0.0, all - slope.dot(inverse_of_positive(poles_only) * slope)), law_freedom};
+}
+
+}  // namespace secular
