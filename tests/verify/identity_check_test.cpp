@@ -70,6 +70,15 @@ TEST(Identity, DoesNotDecideByRounding) {
       checked_identity(sizes, "part(U, 1, 1, 3, 3) = part(left_singular(2*A*B), 1, 1, 3, 3)");
   EXPECT_FALSE(null.holds);
   EXPECT_NE(null.why.find("double precision"), std::string::npos) << null.why;
+  const std::string nothing = "((x + y)^2 - x^2 - 2*x*y - y^2 + x*0.1 - x/10)";  // zero but for rounding
+  for (const std::string& form : {"x/" + nothing + " = x", "sqrt(" + nothing + ") = 1e-7*x",
+                                  nothing + "^(1/2) = 1e-7*x", nothing + "^(-1) = x", "log(" + nothing + ") = x"}) {
+    try {
+      EXPECT_FALSE(checked_identity("", form).holds) << form;
+    } catch (const InputError&) {  // zero at a draw
+    }
+  }
+  EXPECT_TRUE(checked_identity("", nothing + " = 0").holds);
   EXPECT_TRUE(checked_identity(sizes, "part(U, 1, 4, 1, 2)*transpose(part(U, 1, 4, 1, 2))*A = A").holds);
 }
 

@@ -33,8 +33,7 @@ constexpr int most_rows = 64;
 // More samples than a table of an analysis of variance counts; the quantile of any such number takes no time.
 constexpr double most_degrees = 1e6;
 
-constexpr double precision = std::numeric_limits<double>::epsilon();
-// A result whose rounding may reach this multiple of its size, in units of `precision`, is not determined.
+// A result whose rounding may reach this multiple of its size, in units of the precision, is not determined.
 constexpr double most_rounding = 1e9;
 
 bool is_number(const Numbers& m) {
@@ -56,12 +55,17 @@ Complex entrywise(const std::string& name, Complex z) {
   return z * z;
 }
 
+/// A rounding, or infinity where it leaves nothing of a value of this size.
+double determined(double rounding, double size) {
+  return rounding <= most_rounding * size ? rounding : std::numeric_limits<double>::infinity();
+}
+
 /// What rounding `r` of the argument z makes of that function's value.
 double carried(const std::string& name, Complex z, double r) {
   if (r == 0) return 0;
-  if (name == "sqrt") return std::min(r / (2 * std::abs(std::sqrt(z))), std::sqrt(r / precision));
+  if (name == "sqrt") return determined(r, std::abs(z)) / (2 * std::abs(std::sqrt(z)));
   if (name == "exp") return r * std::abs(std::exp(z));
-  if (name == "log") return r / std::abs(z);
+  if (name == "log") return determined(r, std::abs(z)) / std::abs(z);
   if (name == "cos") return r * std::abs(std::sin(z));
   if (name == "sin") return r * std::abs(std::cos(z));
   if (name == "cosh") return r * std::abs(std::sinh(z));
@@ -80,8 +84,7 @@ Computed number(Complex value) {
 }
 /// A result of a whole matrix, whose rounding is at most `by` in every entry.
 Computed spread(Numbers value, double by) {
-  const double size = value.norm();
-  if (!(by <= most_rounding * size)) by = std::numeric_limits<double>::infinity();
+  by = determined(by, value.norm());
   return computed(value, Eigen::MatrixXd::Constant(value.rows(), value.cols(), by));
 }
 
@@ -128,7 +131,9 @@ class Evaluation {
         if (by == 0.0) fail_at(source_, e.place, "division by zero", "correct the denominator");
         const Computed divided = value(e.operands[0]);
         const Numbers ratio = divided.value / by;
-        return computed(ratio, (divided.rounding + ratio.cwiseAbs() * divisor.rounding(0)) / std::abs(by));
+        return computed(
+            ratio,
+            (divided.rounding + ratio.cwiseAbs() * determined(divisor.rounding(0), std::abs(by))) / std::abs(by));
       }
       case Expression::Kind::power:
         return power(e);
@@ -184,8 +189,10 @@ class Evaluation {
     const double whole = std::round(exponent.real());
     const bool is_integer = exponent == whole && std::abs(whole) <= largest_exponent;
     const Complex result = is_integer ? std::pow(z, static_cast<int>(whole)) : std::pow(z, exponent);
-    if (z == 0.0) return {Numbers::Constant(1, 1, result), base.rounding};
-    const double of_base = std::abs(result * exponent / z) * base.rounding(0),
+    const bool has_derivative = is_integer && whole > 0;
+    const double rounding = has_derivative ? base.rounding(0) : determined(base.rounding(0), std::abs(z));
+    if (z == 0.0) return {Numbers::Constant(1, 1, result), Eigen::MatrixXd::Constant(1, 1, rounding)};
+    const double of_base = std::abs(result * exponent / z) * rounding,
                  of_exponent = is_integer ? 0.0 : std::abs(result * std::log(z)) * raised.rounding(0);
     return computed(Numbers::Constant(1, 1, result), Eigen::MatrixXd::Constant(1, 1, of_base + of_exponent));
   }
@@ -253,8 +260,7 @@ class Evaluation {
       double distance = completes ? std::numeric_limits<double>::infinity() : values(k);
       for (Eigen::Index j = 0; j < values.size(); ++j)
         if (j != k) distance = std::min(distance, std::abs(values(j) - values(k)));
-      const double turned = moved / distance;
-      vectors.rounding.col(k).array() += turned <= most_rounding ? turned : std::numeric_limits<double>::infinity();
+      vectors.rounding.col(k).array() += determined(moved, distance) / distance;
     }
     return vectors;
   }
