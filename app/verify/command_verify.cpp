@@ -13,7 +13,6 @@
 #include "app/shared/progress_line.hpp"
 #include "app/shared/shipped_models.hpp"
 #include "app/verify/errata_page.hpp"
-#include "input/input_error.hpp"
 #include "perturb/model.hpp"
 #include "thesis/verify/verification.hpp"
 
@@ -100,11 +99,6 @@ void add_verify_command(CLI::App* command, Action& chosen) {
       options->output.check({{"the source", options->source, false}});
       const std::string name = options->source == "thesis" ? "printed/fahey2000" : options->source;
       const verify::PrintedSource source = verify::read_printed_source(resolve_model(name));
-      const bool empty = source.statements.empty() && source.symmetries.empty() && source.identities.empty() &&
-                         source.matrices.empty() && source.arithmetic.empty();
-      if (empty)
-        throw InputError(source.file, "the whole file", "has nothing to verify",
-                         "[[statement]], [[identity]], [[arithmetic]], [[matrix]] or [[symmetry]] tables");
       ProgressLine line("statements");
       verify::VerificationSettings settings;
       settings.proofs = !options->without_proofs;

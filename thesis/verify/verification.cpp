@@ -7,6 +7,7 @@
 #include <memory>
 #include <tuple>
 
+#include "input/input_error.hpp"
 #include "thesis/verify/changed_term.hpp"
 #include "thesis/verify/convergence_proof.hpp"
 #include "thesis/verify/identity_check.hpp"
@@ -161,6 +162,10 @@ Verdict judged(const PrintedSymmetry& symmetry, const Model& model) {
 std::vector<Verdict> verify_source(const PrintedSource& source,
                                    const std::function<Model(const std::string&)>& find_model,
                                    const VerificationSettings& settings) {
+  if (source.statements.empty() && source.symmetries.empty() && source.identities.empty() &&
+      source.matrices.empty() && source.arithmetic.empty())
+    throw InputError(source.file, "the whole file", "has nothing to verify",
+                     "[[statement]], [[identity]], [[arithmetic]], [[matrix]] or [[symmetry]] tables");
   std::list<OpenChapter> chapters;
   for (const PrintedChapter& chapter : source.chapters) {
     OpenChapter open;
