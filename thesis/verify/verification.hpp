@@ -31,7 +31,7 @@ struct VerificationSettings {
 
 /// Compares every statement of a printed source with the engine's derivation, judges it, and decides the misprints
 /// that a motion can show a second time, by the full equations of motion. `find_model` turns a model's name into a
-/// model. Throws InputError.
+/// model. Throws InputError, also where the source has nothing to verify.
 std::vector<Verdict> verify_source(const PrintedSource& source,
                                    const std::function<Model(const std::string&)>& find_model,
                                    const VerificationSettings& settings = {});
