@@ -34,6 +34,7 @@ std::string verdict_table(const verify::PrintedSource& source, const std::vector
       text += fmt::format("{:21}printed: {}\n{:21}right:   {}\n", "", v.term_printed, "", v.term_right);
     else if (!v.corrected.empty())
       text += fmt::format("{:21}right: {}\n", "", v.corrected);
+    if (!v.evidence.empty()) text += fmt::format("{:21}evidence: {}\n", "", v.evidence);
     if (!v.proof.empty()) text += fmt::format("{:21}{}{}\n", "", v.proof, v.proved ? "" : "   DOES NOT DECIDE");
     if (!v.remark.empty()) text += fmt::format("{:21}remark: {}\n", "", v.remark);
     if (!v.as_recorded()) ++unexpected;
@@ -60,6 +61,7 @@ std::string verdict_json(const verify::PrintedSource& source, const std::vector<
       entry["corrected"] = v.corrected;
       entry["term"] = {{"printed", v.term_printed}, {"right", v.term_right}};
     }
+    if (!v.evidence.empty()) entry["evidence"] = v.evidence;
     if (!v.proof.empty()) {
       entry["proof"] = v.proof;
       entry["proved"] = v.proved;
@@ -81,8 +83,9 @@ void add_verify_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<Options>();
   command->add_option("--source", options->source, "thesis, or a file of printed statements")
       ->capture_default_str();
-  command->add_flag("--without-proofs", options->without_proofs,
-                    "leave out the integration of the full equations that decides every misprint");
+  command->add_flag(
+      "--without-proofs", options->without_proofs,
+      "leave out the integration of the full equations, which decides a second time what a motion can show");
   CLI::Option* json = command->add_flag("--json", options->json, "machine-readable verdicts");
   command->add_flag("--errata", options->errata, "a page of errata with the evidence for each, in Markdown")
       ->excludes(json);
@@ -103,7 +106,7 @@ void add_verify_command(CLI::App* command, Action& chosen) {
       const std::vector<Verdict> verdicts = verify::verify_source(
           source, [](const std::string& model) { return read_model(resolve_model(model)); }, settings);
       const std::string text = options->json     ? verdict_json(source, verdicts)
-                               : options->errata ? errata_page(source, verdicts)
+                               : options->errata ? errata_page(source, verdicts, settings.proofs)
                                                  : verdict_table(source, verdicts);
       options->output.write(text);
       return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.as_recorded(); }) ? 0

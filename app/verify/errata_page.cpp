@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace secular::app {
 namespace {
@@ -20,8 +21,7 @@ std::string entry(const Verdict& v) {
   if (!v.term_printed.empty() && v.term_printed != v.printed)
     text += fmt::format("- term: `{}`, right `{}`\n", v.term_printed, v.term_right);
   text += item(v.kind == "arithmetic" || v.kind == "matrix" ? "arithmetic" : "where", v.reason, false);
-  const bool by_derivation = v.proof.empty() && !v.corrected.empty();
-  text += item("evidence", by_derivation ? "what the equations of motion give, symbol by symbol" : v.proof, false) +
+  text += item("evidence", v.proof.empty() ? v.evidence : v.evidence + ": " + v.proof, false) +
           item("remark", v.remark, false);
   if (!v.as_recorded()) text += item("recorded as", v.recorded, false);
   return text + "\n";
@@ -29,7 +29,7 @@ std::string entry(const Verdict& v) {
 
 }  // namespace
 
-std::string errata_page(const verify::PrintedSource& source, const std::vector<Verdict>& verdicts) {
+std::string errata_page(const verify::PrintedSource& source, const std::vector<Verdict>& verdicts, bool proofs) {
   const auto number = [&](const char* verdict) {
     return std::count_if(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return v.verdict == verdict; });
   };
@@ -37,6 +37,15 @@ std::string errata_page(const verify::PrintedSource& source, const std::vector<V
   text += fmt::format(
       "{} statements confirmed, {} entries agree. The language of the formulas is explained in `{}`.\n\n",
       number("confirmed"), number("agrees"), source.name + ".toml");
+  if (number("misprint") > 0) {
+    std::map<std::string, int> by_evidence;
+    for (const Verdict& v : verdicts)
+      if (v.verdict == "misprint") ++by_evidence[v.evidence];
+    text += "What decides the misprints:\n\n";
+    for (const auto& [evidence, count] : by_evidence) text += fmt::format("- {}: {}\n", evidence, count);
+    text += "\n";
+  }
+  if (!proofs) text += "The integration of the equations of motion was left out (`--without-proofs`).\n\n";
   const struct {
     const char *verdict, *title;
   } sections[] = {{"misprint", "Misprints and errors"},

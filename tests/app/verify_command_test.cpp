@@ -33,6 +33,10 @@ TEST_F(VerifyCommand, ErrataHaveTermAndEvidence) {
   for (const char* part : {"# Errata", "A paper", "### 3", "- term: `-2*a*b`, right `+2*a*b`", "- where: a sign",
                            "- evidence: at random values"})
     EXPECT_NE(page.output.find(part), std::string::npos) << part << "\n" << page.output;
+  EXPECT_EQ(page.output.find("left out"), std::string::npos) << page.output;
+  EXPECT_NE(page.output.find("- at random values of its symbols alone: 1\n"), std::string::npos) << page.output;
+  const Outcome without = run("verify --source own.toml --errata --quiet --without-proofs");
+  EXPECT_NE(without.output.find("was left out (`--without-proofs`)"), std::string::npos) << without.output;
   EXPECT_EQ(run("verify --source own.toml --errata --json").status, 2);
 }
 
@@ -45,6 +49,13 @@ TEST_F(VerifyCommand, StatusIsWhetherEveryVerdictIsTheRecordedOne) {
   const Outcome json = run("verify --source own.toml --quiet --json");
   EXPECT_EQ(json.status, 1);
   EXPECT_NE(json.output.find("\"term\""), std::string::npos) << json.output;
+}
+
+TEST_F(VerifyCommand, ASourceWithoutStatementsIsRefused) {
+  std::ofstream(folder_ / "own.toml") << "schema = 1\nname = \"own\"\nsource = \"A paper\"\n";
+  const Outcome empty = run("verify --source own.toml --quiet");
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_NE(empty.errors.find("nothing to verify"), std::string::npos) << empty.errors;
 }
 
 }  // namespace

@@ -166,6 +166,17 @@ TEST(Verdicts, ComplainAboutAnUnknownSymbol) {
   }
 }
 
+// A misprint says what decides it; what no integration decides has that said.
+TEST(Verdicts, SayTheirEvidence) {
+  const std::vector<Verdict> verdicts =
+      verdicts_without_proofs(read_printed_source(models / "printed" / "fahey2000.toml"));
+  for (const Verdict& v : verdicts)
+    EXPECT_EQ(v.evidence.empty(), v.verdict != "misprint" && v.verdict != "convention");
+  EXPECT_EQ(of(verdicts, "5.8").evidence, "symbol by symbol alone");
+  EXPECT_NE(of(verdicts, "5.17").evidence.find("left out"), std::string::npos);
+  EXPECT_EQ(of(verdicts, "4.16").evidence, "at random values of its symbols alone");
+}
+
 // Every misprint that a measurement can decide is decided by the integrated equations: the corrected form's error
 // falls at least half an order faster than the printed one's.
 TEST(SlowVerdicts, MisprintsAreProvedByTheFullEquations) {

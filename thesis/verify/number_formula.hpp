@@ -12,6 +12,17 @@ namespace secular::verify {
 /// What a formula of numbers makes: a matrix, of one row and one column for a number.
 using Numbers = Eigen::MatrixXcd;
 
+/// A value in double precision and what its rounding may be, entry by entry, in units of the precision and to first
+/// order: that of every step is the size of its terms, carried on by the derivative of each later step (a running
+/// error analysis). Infinite where double precision does not determine the value, as for the singular vectors of
+/// equal singular values and the inverse of a singular matrix.
+struct Computed {
+  Numbers value;
+  Eigen::MatrixXd rounding;
+};
+/// A value that nothing but its own rounding makes wrong.
+Computed exact(Numbers value);
+
 /// A sum, a product or an inverse of matrices whose sizes do not allow it.
 struct SizeMismatch : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -26,7 +37,7 @@ std::span<const FormulaFunction> number_functions();
 /// The value of a formula of numbers and matrices in double precision: * is the product of matrices, or of a number
 /// and a matrix; powers of matrices are integers. `value_of` is handed the node of a symbol. Throws SizeMismatch,
 /// and InputError for division by zero and for what has no finite value.
-Numbers numbers_of(const Expression& expression, const FormulaSource& source,
-                   const std::function<Numbers(const Expression& symbol)>& value_of);
+Computed numbers_of(const Expression& expression, const FormulaSource& source,
+                    const std::function<Computed(const Expression& symbol)>& value_of);
 
 }  // namespace secular::verify

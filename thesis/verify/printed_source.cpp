@@ -249,6 +249,7 @@ PrintedIdentity read_identity(const TomlTable& table) {
   table.refuse_unknown_keys(
       {"equation", "part", "printed", "corrected", "define", "sizes", "complex", "verdict", "reason", "remark"});
   PrintedIdentity identity;
+  identity.place = place_of(table);
   identity.equation = table.string("equation");
   identity.part = table.string_or("part", "");
   identity.printed = formula(table, "printed");
@@ -273,6 +274,7 @@ PrintedIdentity read_identity(const TomlTable& table) {
     }
   }
   identity.complex = strings_or_none(table, "complex");
+  require_different(table, "complex", identity.complex);
   identity.verdict = table.string("verdict");
   require_one_of(table, "verdict", {"confirmed", "convention", "misprint"});
   if (identity.verdict != "confirmed" && !identity.corrected)

@@ -79,6 +79,7 @@ struct PrintedMatrix {
 
 /// An equation between symbols that stand for any number or matrix: no model has a part in it.
 struct PrintedIdentity {
+  PrintedPlace place;
   std::string equation, part;
   FormulaSource printed;
   std::optional<FormulaSource> corrected;

@@ -7,6 +7,8 @@
 #include <complex>
 #include <cstdlib>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "thesis/verify/evaluation.hpp"
 #include "thesis/verify/number_formula.hpp"
@@ -42,11 +44,12 @@ class RealFormula {
 
   Eigen::MatrixXd value(const std::map<std::string, Eigen::MatrixXd>& values) const {
     try {
-      const Numbers result = numbers_of(parsed_, source_, [&](const Expression& e) -> Numbers {
+      const auto value_of = [&](const Expression& e) {
         const auto found = values.find(e.text);
         if (found == values.end()) fail_at(source_, e.place, "'" + e.text + "' has no value", "list it in `from`");
-        return found->second.cast<std::complex<double>>();
-      });
+        return exact(found->second.cast<std::complex<double>>());
+      };
+      const Numbers result = numbers_of(parsed_, source_, value_of).value;
       if (result.imag().cwiseAbs().maxCoeff() > 1e-9 * result.cwiseAbs().maxCoeff())
         fail_at(source_, {source_.first_line, 1}, "is no real number", "a formula of real numbers");
       return result.real();
@@ -60,25 +63,87 @@ class RealFormula {
   Expression parsed_;
 };
 
+/// A number that a formula makes of rounded numbers, over the box of what these can be.
+class OverRounding {
+ public:
+  explicit OverRounding(const PrintedArithmetic& arithmetic) : source_(arithmetic.formula), formula_(source_) {
+    for (const auto& [name, digits] : arithmetic.from) {
+      names_.push_back(name);
+      box_.push_back(rounded_number(digits));
+    }
+  }
+
+  /// The least and the largest value found: at the centre and at the corners, then along one number after the other
+  /// from the best corner and from the centre. Exact where the formula is monotonic in every number (the corners),
+  /// or turns but once along each (as a square, an absolute value or a cosine does over a rounding).
+  RoundedNumber ends() const {
+    Point middle;
+    for (const RoundedNumber& bounds : box_) middle.push_back(0.5 * (bounds.low + bounds.high));
+    const double at_middle = value(middle);
+    Point low = middle, high = middle;
+    double lowest = at_middle, highest = at_middle;
+    for (std::size_t corner = 0; corner < std::size_t{1} << box_.size(); ++corner) {
+      Point point;
+      for (std::size_t k = 0; k < box_.size(); ++k) point.push_back((corner >> k) & 1 ? box_[k].high : box_[k].low);
+      const double here = value(point);
+      if (here < lowest) std::tie(low, lowest) = std::pair(point, here);
+      if (here > highest) std::tie(high, highest) = std::pair(point, here);
+    }
+    return {std::min(least(low, 1), least(middle, 1)), -std::min(least(high, -1), least(middle, -1))};
+  }
+
+ private:
+  using Point = std::vector<double>;
+
+  double value(const Point& point) const {
+    std::map<std::string, Eigen::MatrixXd> values;
+    for (std::size_t k = 0; k < point.size(); ++k) values[names_[k]] = Eigen::MatrixXd::Constant(1, 1, point[k]);
+    const Eigen::MatrixXd result = formula_.value(values);
+    if (result.size() != 1) fail_at(source_, {source_.first_line, 1}, "makes a matrix", "a number");
+    return result(0);
+  }
+
+  /// The least of sign * value that is found from `point` along one number after the other.
+  double least(Point point, double sign) const {
+    constexpr int most_rounds = 4;
+    double best = sign * value(point);
+    for (int round = 0; round < most_rounds; ++round) {
+      const double before = best;
+      for (std::size_t k = 0; k < box_.size(); ++k) best = least_along(k, point, sign, best);
+      if (best == before) break;
+    }
+    return best;
+  }
+  /// Of eight equal pieces of the range of number k those beside the least are narrowed down; `point` goes there.
+  double least_along(std::size_t k, Point& point, double sign, double best) const {
+    constexpr int pieces = 8, narrowings = 8;
+    double low = box_[k].low, high = box_[k].high, kept = point[k];
+    for (int round = 0; round < narrowings && low < high; ++round) {
+      const double width = (high - low) / pieces;
+      double at = low, least_here = std::numeric_limits<double>::infinity();
+      for (int n = 0; n <= pieces; ++n) {
+        point[k] = n == pieces ? high : low + n * width;
+        const double here = sign * value(point);
+        if (here < least_here) std::tie(at, least_here) = std::pair(point[k], here);
+      }
+      if (least_here < best) std::tie(kept, best) = std::pair(at, least_here);
+      if (at == low || at == high) break;  // an end of the range: no turn within
+      std::tie(low, high) = std::pair(at - width, at + width);
+    }
+    point[k] = kept;
+    return best;
+  }
+
+  const FormulaSource& source_;
+  RealFormula formula_;
+  std::vector<std::string> names_;
+  std::vector<RoundedNumber> box_;
+};
+
 ArithmeticCheck checked(const PrintedArithmetic& arithmetic) {
-  const RealFormula formula(arithmetic.formula);
   ArithmeticCheck check;
   check.printed = rounded_number(arithmetic.printed);
-  check.expected = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  // Formulas are monotonic in every entry over its rounding, so corners bound them.
-  const std::size_t corners = std::size_t{1} << arithmetic.from.size();
-  for (std::size_t corner = 0; corner < corners; ++corner) {
-    std::map<std::string, Eigen::MatrixXd> values;
-    std::size_t index = 0;
-    for (const auto& [name, digits] : arithmetic.from) {
-      const RoundedNumber number = rounded_number(digits);
-      values[name] = Eigen::MatrixXd::Constant(1, 1, (corner >> index++) & 1 ? number.high : number.low);
-    }
-    const Eigen::MatrixXd value = formula.value(values);
-    if (value.size() != 1)
-      fail_at(arithmetic.formula, {arithmetic.formula.first_line, 1}, "makes a matrix", "a number");
-    check.expected = {std::min(check.expected.low, value(0)), std::max(check.expected.high, value(0))};
-  }
+  check.expected = OverRounding(arithmetic).ends();
   const bool low_enough = check.expected.low <= check.printed.high,
              high_enough = check.printed.low <= check.expected.high;
   check.agrees = (arithmetic.claim == "at least" || low_enough) && (arithmetic.claim == "at most" || high_enough);

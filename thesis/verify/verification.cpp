@@ -7,6 +7,7 @@
 #include <memory>
 #include <tuple>
 
+#include "input/input_error.hpp"
 #include "thesis/verify/changed_term.hpp"
 #include "thesis/verify/convergence_proof.hpp"
 #include "thesis/verify/identity_check.hpp"
@@ -58,7 +59,11 @@ Verdict judged(const PrintedStatement& statement, const OpenChapter& open, const
   verdict.reason = statement.reason;
   verdict.corrected = one_line(statement.corrected->text);
   std::tie(verdict.term_printed, verdict.term_right) = changed_term(verdict.printed, verdict.corrected);
-  if (verdict.verdict != "misprint" || !proofs || !can_be_measured(statement)) return verdict;
+  const bool second = verdict.verdict == "misprint" && can_be_measured(statement);
+  verdict.evidence = verdict.verdict == "convention" ? "symbol by symbol" : "symbol by symbol alone";
+  if (!second) return verdict;
+  verdict.evidence = "symbol by symbol; the integration of the equations of motion was left out";
+  if (!proofs) return verdict;
   const auto inside = std::find_if(
       source.statements.begin(), source.statements.end(),
       [&](const PrintedStatement& s) { return s.equation == statement.inside && s.kind == "modulation"; });
@@ -69,6 +74,8 @@ Verdict judged(const PrintedStatement& statement, const OpenChapter& open, const
       prove(*open.laboratory, statement, inside == source.statements.end() ? nullptr : &*inside);
   verdict.proof = proof.text();
   verdict.proved = proof.decides_for_correction;
+  verdict.evidence = verdict.proved ? "symbol by symbol, and by the integrated equations of motion"
+                                    : "symbol by symbol; the integrated equations of motion do not decide";
   return verdict;
 }
 
@@ -82,17 +89,23 @@ Verdict judged(const PrintedIdentity& identity) {
   verdict.printed = one_line(identity.printed.text);
   const IdentityCheck printed = check_identity(identity, identity.printed);
   verdict.verdict = printed.holds ? "confirmed" : "unresolved";
-  if (printed.holds || !identity.corrected) return verdict;
+  if (printed.holds) return verdict;
+  if (!printed.why.empty()) verdict.reason = "as printed " + printed.why;
+  if (!identity.corrected) return verdict;
   const IdentityCheck corrected = check_identity(identity, *identity.corrected);
-  if (!corrected.holds) return verdict;
+  if (!corrected.holds) {
+    if (!corrected.why.empty())
+      verdict.reason += (verdict.reason.empty() ? "" : "; ") + ("as corrected " + corrected.why);
+    return verdict;
+  }
   verdict.verdict = identity.verdict == "convention" ? "convention" : "misprint";
   verdict.reason = identity.reason;
   verdict.corrected = one_line(identity.corrected->text);
   std::tie(verdict.term_printed, verdict.term_right) = changed_term(verdict.printed, verdict.corrected);
+  verdict.evidence = "at random values of its symbols alone";
   verdict.proof =
-      (printed.why.empty()
-           ? fmt::format("at random values the printed sides differ by {:.2g} of their size", printed.largest)
-           : "as printed " + printed.why) +
+      (printed.why.empty() ? fmt::format("the printed sides differ by {:.2g} of their terms", printed.largest)
+                           : "as printed " + printed.why) +
       fmt::format(", the corrected ones by {:.0e}", corrected.largest);
   return verdict;
 }
@@ -139,6 +152,7 @@ Verdict judged(const PrintedSymmetry& symmetry, const Model& model) {
       symmetry.place.fail("without", "'" + name + "' is no symbol", "a symbol of model " + symmetry.model);
   const std::vector<std::string> broken = broken_lagrangian_symmetries(model, symmetry.without);
   verdict.verdict = broken.empty() ? "confirmed" : "misprint";
+  if (!broken.empty()) verdict.evidence = "symbol by symbol alone";
   for (const std::string& one : broken) verdict.reason += (verdict.reason.empty() ? "" : "; ") + one;
   return verdict;
 }
@@ -148,6 +162,10 @@ Verdict judged(const PrintedSymmetry& symmetry, const Model& model) {
 std::vector<Verdict> verify_source(const PrintedSource& source,
                                    const std::function<Model(const std::string&)>& find_model,
                                    const VerificationSettings& settings) {
+  if (source.statements.empty() && source.symmetries.empty() && source.identities.empty() &&
+      source.matrices.empty() && source.arithmetic.empty())
+    throw InputError(source.file, "the whole file", "has nothing to verify",
+                     "[[statement]], [[identity]], [[arithmetic]], [[matrix]] or [[symmetry]] tables");
   std::list<OpenChapter> chapters;
   for (const PrintedChapter& chapter : source.chapters) {
     OpenChapter open;
