@@ -8,7 +8,7 @@
 namespace secular {
 
 /// Directions of the rows along which the model's numbers and the explanations that were fitted move them: a gap
-/// that any of them can close lies there (docs/inference.md, "Share that is closed").
+/// that any of them can close lies there (docs/inference.md, "A weak gap in many rows").
 class GapSpan {
  public:
   /// All directions: every row counts as it is.

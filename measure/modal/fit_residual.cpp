@@ -45,11 +45,17 @@ MatrixXd orthonormal_span(MatrixXd columns) {
   return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
 }
 
-// (Re, Im) of `factor` times a residue's columns, as amplitudes of these columns.
+// What amplitudes (Re, Im) of a pole's columns are times a residue.
 Eigen::Matrix2d turned(Complex residue) {
   Eigen::Matrix2d turn;
   turn << residue.real(), -residue.imag(), residue.imag(), residue.real();
   return turn;
+}
+
+// Adds what one signal says of the columns, in which it moves as `turn` times them.
+void add_signal(PoleInformation& sum, const MatrixXd& moments, const VectorXd& slopes, const MatrixXd& turn) {
+  sum.hessian += turn.transpose() * moments * turn;
+  sum.gradient += turn.transpose() * slopes;
 }
 
 }  // namespace
@@ -74,19 +80,25 @@ MatrixXd FitResidual::projected(const MatrixXd& columns) const {
   return columns - basis_ * (basis_.transpose() * columns);
 }
 
+// Those of the motion by a pole times powers of time, first one, then two, ...: rows x 2 each.
+MatrixXd FitResidual::power_columns(Index pole, Index powers) const {
+  const VectorXcd time = VectorXd::LinSpaced(left_.rows(), 0, 1).cast<Complex>();
+  VectorXcd power = exponential(left_.rows(), rate_, fit_.poles(pole));
+  MatrixXd columns(left_.rows(), 2 * powers);
+  for (Index k = 0; k < powers; ++k) {
+    power = power.cwiseProduct(time);
+    columns.middleCols(2 * k, 2) = real_columns(power);
+  }
+  return columns;
+}
+
 std::vector<ExplainedSquares> FitResidual::along_powers(Index pole) const {
-  const Index rows = left_.rows(), signals = left_.cols();
-  const VectorXcd motion = exponential(rows, rate_, fit_.poles(pole));
-  const VectorXd time = VectorXd::LinSpaced(rows, 0, 1);
-  MatrixXd columns(rows, 2 * most_powers);
-  VectorXcd power = motion;
+  const MatrixXd columns = projected(power_columns(pole, most_powers));
   std::vector<ExplainedSquares> found;
   for (int k = 1; k <= most_powers; ++k) {
-    power = power.cwiseProduct(time.cast<Complex>());
-    columns.middleCols(2 * (k - 1), 2) = real_columns(power);
-    const MatrixXd span = orthonormal_span(projected(columns.leftCols(2 * k)));
+    const MatrixXd span = orthonormal_span(columns.leftCols(2 * k));
     const double gain = (span.transpose() * left_ * weight_.asDiagonal()).squaredNorm();
-    const auto freedom = static_cast<double>(span.cols() * signals - 2);  // the pole itself was fitted
+    const auto freedom = static_cast<double>(span.cols() * left_.cols() - 2);  // the pole itself was fitted
     if (freedom > 0) found.push_back({gain, freedom, most_powers});
   }
   return found;
@@ -96,15 +108,8 @@ FitResidual::Noise FitResidual::noise() const {
   const Index rows = left_.rows(), n = fit_.poles.size();
   const Index powers = n > 0 ? std::min<Index>(most_powers, (rows / 4 - basis_.cols()) / (2 * n)) : 0;
   if (powers < 1) return {left_, basis_.cols()};
-  const VectorXcd time = VectorXd::LinSpaced(rows, 0, 1).cast<Complex>();
   MatrixXd columns(rows, 2 * n * powers);
-  for (Index r = 0; r < n; ++r) {
-    VectorXcd power = exponential(rows, rate_, fit_.poles(r));
-    for (Index k = 0; k < powers; ++k) {
-      power = power.cwiseProduct(time);
-      columns.middleCols(2 * (r * powers + k), 2) = real_columns(power);
-    }
-  }
+  for (Index r = 0; r < n; ++r) columns.middleCols(2 * r * powers, 2 * powers) = power_columns(r, powers);
   const MatrixXd span = orthonormal_span(projected(columns));
   return {left_ - span * (span.transpose() * left_), basis_.cols() + span.cols()};
 }
@@ -132,9 +137,7 @@ std::vector<PoleInformation> FitResidual::by_record(Index channels) const {
   for (Index s = 0; s < signals; ++s) {
     MatrixXd turn = MatrixXd::Zero(2 * n, 2 * n);
     for (Index r = 0; r < n; ++r) turn.block<2, 2>(2 * r, 2 * r) = turned(fit_.residues(r, s) * weight_(s));
-    PoleInformation& record = found[static_cast<std::size_t>(s / channels)];
-    record.hessian += turn.transpose() * moments * turn;
-    record.gradient += turn.transpose() * slopes.col(s) * weight_(s);
+    add_signal(found[static_cast<std::size_t>(s / channels)], moments, slopes.col(s) * weight_(s), turn);
   }
   return found;
 }
@@ -162,8 +165,7 @@ ExplainedSquares FitResidual::along_laws(Index pole, const std::vector<double>& 
   const MatrixXd moments = columns.transpose() * columns, slopes = columns.transpose() * left_;
   const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
   if (!(most > 0)) return {0, law_freedom};
-  MatrixXd hessian = MatrixXd::Zero(columns.cols(), columns.cols());
-  VectorXd gradient = VectorXd::Zero(columns.cols());
+  PoleInformation sum{MatrixXd::Zero(columns.cols(), columns.cols()), VectorXd::Zero(columns.cols())};
   for (Index s = 0; s < signals; ++s) {
     const double share = amplitudes[static_cast<std::size_t>(s / channels)] / most;
     MatrixXd turn = MatrixXd::Zero(columns.cols(), columns.cols());
@@ -171,12 +173,11 @@ ExplainedSquares FitResidual::along_laws(Index pole, const std::vector<double>& 
     for (int k = 1; k <= 2; ++k)
       turn.block<2, 2>(2 * (n + k - 1), 2 * (n + k - 1)) =
           turned(fit_.residues(pole, s) * weight_(s) * std::pow(share, k));
-    hessian += turn.transpose() * moments * turn;
-    gradient += turn.transpose() * slopes.col(s) * weight_(s);
+    add_signal(sum, moments, slopes.col(s) * weight_(s), turn);
   }
-  const double all = gradient.dot(inverse_of_positive(hessian) * gradient);
-  const MatrixXd poles_only = hessian.topLeftCorner(2 * n, 2 * n);
-  const VectorXd slope = gradient.head(2 * n);
+  const double all = sum.gradient.dot(inverse_of_positive(sum.hessian) * sum.gradient);
+  const MatrixXd poles_only = sum.hessian.topLeftCorner(2 * n, 2 * n);
+  const VectorXd slope = sum.gradient.head(2 * n);
   return {std::max(0.0, all - slope.dot(inverse_of_positive(poles_only) * slope)), law_freedom};
 }
 

@@ -57,6 +57,7 @@ class FitResidual {
  private:
   Eigen::MatrixXd derivatives() const;
   Eigen::MatrixXd projected(const Eigen::MatrixXd& columns) const;
+  Eigen::MatrixXd power_columns(Eigen::Index pole, Eigen::Index powers) const;
 
   PoleFit fit_;
   double rate_;
