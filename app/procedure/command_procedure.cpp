@@ -84,8 +84,9 @@ void add_procedure_command(CLI::App* command, Action& chosen) {
   options->selection.add_to(*command);
   options->output.add_to(*command, "folder for procedures.json and report.html");
   command->add_flag("--interpret", request.interpret, "no compiled code of the model: slower, same results");
-  command->add_flag("!--no-bias", request.bias,
-                    "leave out what every method does on motions of the full equations, where the truth is known");
+  command->add_flag_callback(
+      "--no-bias", [options] { options->request.bias = false; },
+      "leave out what every method does on motions of the full equations, where the truth is known");
   request.threads = std::max(1U, std::thread::hardware_concurrency());
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));

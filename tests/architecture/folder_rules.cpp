@@ -76,6 +76,7 @@ const FolderTable& folder_table() {
         "diagnose/verdict", "app/shared"}},
       {"app/evaluate", {"perturb", "codegen/canonical", "app/shared"}},
       {"app/generate", {"input", "perturb", "codegen/cpp", "app/shared"}},
+      {"app/help", {"input", "app/shared"}},
       {"app/identify",
        {"input", "numerics", "report", "measure/disturbances", "measure/observe", "estimator/identification",
         "diagnose/verdict", "app/shared"}},
