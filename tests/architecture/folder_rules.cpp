@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 const FolderTable& folder_table() {
   static const FolderTable table = {
       {"input", {}},
-      {"numerics", {}},
+      {"numerics", {"input"}},
       {"effects", {}},
       {"report", {"input"}},
       {"perturb", {"effects", "input", "numerics"}},
@@ -44,8 +44,8 @@ const FolderTable& folder_table() {
       {"motion", {"numerics"}},
       {"motion/response", {"numerics", "estimator/model"}},
       {"estimator/planning", {"numerics", "estimator/model", "motion/response"}},
-      {"motion/balance", {"effects", "numerics", "estimator/model"}},
-      {"motion/integrate", {"estimator/model", "motion/balance"}},
+      {"motion/balance", {"effects", "input", "numerics", "estimator/model"}},
+      {"motion/integrate", {"input", "estimator/model", "motion/balance"}},
       {"motion/simulate", {"effects", "input", "numerics", "estimator/model", "measure/formats", "measure/data"}},
       {"motion/correction",
        {"input", "numerics", "estimator/model", "measure/observe", "estimator/identification", "motion",
