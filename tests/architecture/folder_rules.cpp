@@ -65,37 +65,44 @@ const FolderTable& folder_table() {
        {"input", "numerics", "estimator/model", "measure", "measure/signal", "estimator/regression",
         "measure/observe", "estimator/identification", "motion/response"}},
       {"blind", {"input"}},
-      {"app/shared",
+      {"jobs/shared",
        {"input", "numerics", "report", "perturb", "estimator/model", "generated", "codegen/canonical",
-        "codegen/runtime", "measure", "measure/data", "measure/disturbances", "measure/signal", "measure/observe",
-        "estimator/identification", "motion/correction", "diagnose/evidence", "diagnose/verdict"}},
+        "codegen/runtime", "measure", "measure/data", "measure/signal", "measure/disturbances", "measure/observe",
+        "estimator/identification", "diagnose/evidence", "diagnose/verdict"}},
+      {"jobs/derive", {"perturb", "codegen/canonical", "codegen/document", "jobs/shared"}},
+      {"jobs/simulate", {"input", "estimator/model", "measure/data", "motion/simulate", "jobs/shared"}},
+      {"jobs/identify",
+       {"input", "numerics", "report", "estimator/model", "measure", "measure/data", "measure/disturbances",
+        "measure/observe", "estimator/identification", "motion/correction", "diagnose/verdict", "jobs/shared"}},
+      {"jobs/diagnose",
+       {"numerics", "report", "estimator/model", "measure/data", "measure/disturbances", "diagnose/verdict",
+        "jobs/shared", "jobs/identify"}},
+      {"app/shared", {"input", "report", "measure/data", "measure/disturbances", "measure/observe"}},
       {"app/blind", {"input", "blind", "app/shared"}},
-      {"app/derive", {"perturb", "codegen/document", "app/shared"}},
-      {"app/diagnose",
-       {"input", "numerics", "report", "estimator/model", "measure/data", "measure/disturbances",
-        "diagnose/verdict", "app/shared"}},
-      {"app/evaluate", {"perturb", "codegen/canonical", "app/shared"}},
-      {"app/generate", {"input", "perturb", "codegen/cpp", "app/shared"}},
-      {"app/identify",
-       {"input", "numerics", "report", "measure/disturbances", "measure/observe", "estimator/identification",
-        "diagnose/verdict", "app/shared"}},
+      {"app/derive", {"jobs/derive", "app/shared"}},
+      {"app/diagnose", {"input", "numerics", "report", "jobs/shared", "jobs/diagnose", "app/shared"}},
+      {"app/evaluate", {"perturb", "codegen/canonical", "jobs/shared", "app/shared"}},
+      {"app/generate", {"input", "perturb", "codegen/cpp", "jobs/shared", "app/shared"}},
+      {"app/identify", {"input", "report", "jobs/shared", "jobs/identify", "app/shared"}},
       {"app/import", {"measure/data", "app/shared"}},
-      {"app/inspect", {"input", "measure/formats", "measure/data", "measure/disturbances", "app/shared"}},
-      {"app/modal", {"input", "numerics", "report", "measure/modal", "app/shared"}},
+      {"app/inspect",
+       {"input", "measure/formats", "measure/data", "measure/disturbances", "jobs/shared", "app/shared"}},
+      {"app/modal", {"input", "numerics", "report", "measure/modal", "jobs/shared", "app/shared"}},
       {"app/plan",
        {"input", "numerics", "report", "measure/data", "measure/observe", "estimator/identification",
-        "estimator/planning", "motion/response", "motion/simulate", "app/shared"}},
+        "estimator/planning", "motion/response", "motion/simulate", "jobs/shared", "app/shared"}},
       {"app/predict",
        {"input", "numerics", "report", "codegen/runtime", "measure/observe", "motion/response", "motion/simulate",
-        "motion/correction", "app/shared"}},
+        "motion/correction", "jobs/shared", "app/shared"}},
       {"app/procedure",
        {"input", "numerics", "report", "estimator/model", "measure/data", "measure/signal", "measure/observe",
-        "estimator/identification", "motion/simulate", "motion/correction", "thesis/procedures", "app/shared"}},
-      {"app/simulate", {"input", "estimator/model", "motion/simulate", "app/shared"}},
+        "estimator/identification", "motion/simulate", "motion/correction", "thesis/procedures", "jobs/shared",
+        "jobs/identify", "app/shared"}},
+      {"app/simulate", {"jobs/simulate", "app/shared"}},
       {"app/spectrum",
        {"input", "numerics", "report", "measure/formats", "measure/data", "measure/signal", "measure/observe",
-        "app/shared"}},
-      {"app/verify", {"perturb", "thesis/verify", "app/shared"}},
+        "jobs/shared", "app/shared"}},
+      {"app/verify", {"perturb", "thesis/verify", "jobs/shared", "app/shared"}},
       {"app", {"input", "app/shared"}},
   };
   return table;
@@ -162,7 +169,10 @@ bool is_of_project(const std::string& target) {
 }
 
 FolderGraph included_folders(const fs::path& root) {
-  const auto shown = [](const std::string& folder) { return first_part(folder) == "app" ? "app" : folder; };
+  const auto shown = [](const std::string& folder) {
+    const std::string first = first_part(folder);
+    return first == "app" || first == "jobs" ? first : folder;
+  };
   FolderGraph graph;
   for (const auto& [folder, allowed] : folder_table())
     for (const fs::path& file : sources_of(root, folder)) {
