@@ -10,9 +10,9 @@
 #include "app/help/described_command.hpp"
 #include "app/help/manual_page.hpp"
 #include "app/shared/commands.hpp"
-#include "app/shared/shipped_models.hpp"
 #include "app/shared/unknown_word.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/shipped_models.hpp"
 
 namespace secular::app {
 namespace {

@@ -12,6 +12,7 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
+#include "measure/data/held_campaign.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/whole_folder.hpp"
 #include "measure/data/written_table.hpp"
@@ -147,6 +148,26 @@ void CampaignWriter::finish(const Campaign& campaign) {
   building_->folder.write("campaign.toml", [&] { return std::exchange(text, {}); });
   check_readable(building_->folder);
   building_->folder.finish(building_->replace);
+}
+
+void write_campaign(const Campaign& campaign, const fs::path& folder, bool replace) {
+  CampaignWriter writer(folder, replace);
+  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
+    RecordEntry entry = campaign.records[r];
+    if (!entry.row) {
+      writer.write(campaign, entry, read_record(campaign, entry));
+      continue;
+    }
+    std::vector<LineRow> rows;
+    while (r < campaign.records.size() && campaign.records[r].row &&
+           campaign.records[r].row->table == entry.row->table)
+      rows.push_back(*campaign.records[r++].row);
+    --r;
+    entry.file = entry.row->table;
+    entry.row.reset();
+    writer.write(campaign, entry, rows);
+  }
+  writer.finish(campaign);
 }
 
 }  // namespace secular
