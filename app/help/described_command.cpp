@@ -29,6 +29,7 @@ DescribedOption described(const CLI::Option& option) {
   result.choices = choices_in(result.value);
   result.purpose = option.get_description();
   result.required = option.get_required();
+  result.takes_command = result.positional && option.get_name() == "COMMAND";
   result.takes_model = option.get_name() == "MODEL" || option.get_name() == "--model";
   return result;
 }

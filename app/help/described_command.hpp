@@ -14,6 +14,7 @@ struct DescribedOption {
   std::string purpose;
   bool positional = false;
   bool required = false;
+  bool takes_command = false;  ///< the name of a command of the program
   bool takes_model = false;  ///< a model file, or the name of a shipped model
 };
 

@@ -45,7 +45,9 @@ std::string unknown(const CLI::App& command, const std::string& kind, const std:
                     const std::vector<std::string>& known) {
   const std::optional<std::string> meant = nearest_word(word, known);
   return fmt::format("{} is no {} of `{}`; {}", word, kind, full_name(command),
-                     meant ? "did you mean " + *meant + "?" : "`" + full_name(command) + " --help` lists them");
+                     meant            ? "did you mean " + *meant + "?"
+                     : known.empty() ? "it has none"
+                                     : "`" + full_name(command) + " --help` lists them");
 }
 
 }  // namespace
