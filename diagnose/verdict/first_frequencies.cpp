@@ -31,12 +31,16 @@ std::vector<Segment> first_turns(std::vector<Segment> segments, const std::vecto
 VectorXd first_frequencies(Discrepancy& turns, const VectorXd& start, const std::vector<std::size_t>& which,
                            unsigned threads) {
   const double near_enough = 1 / (2 * diagnose_thresholds().decay_turns);
-  const VectorXd found = Fitter(turns, start.size(), threads).at_level(start, which, over_one_turn).fit.unknowns;
+  const Refit found = Fitter(turns, start.size(), threads).at_level(start, which, over_one_turn).fit;
   VectorXd taken = start;
-  for (const std::size_t k : which) {
-    const auto mode = static_cast<Index>(k);
-    const double ratio = found(mode) / start(mode);
-    if (ratio > 0.5 && ratio < 2 && std::abs(ratio - 1) > near_enough) taken(mode) = found(mode);
+  if (found.ending != SolverEnding::converged) return taken;
+  const double dispersion = dispersion_of(found.chi_squared, static_cast<double>(turns.freedom() - found.rank));
+  for (std::size_t i = 0; i < found.free.size(); ++i) {
+    const auto mode = static_cast<Index>(found.free[i]), at = static_cast<Index>(i);
+    const double ratio = found.unknowns(mode) / start(mode),
+                 sd = std::sqrt(dispersion * found.covariance(at, at)) / start(mode);
+    const bool told = found.identifiable[i] && sd < near_enough;
+    if (told && ratio > 0.5 && ratio < 2 && std::abs(ratio - 1) > near_enough) taken(mode) = found.unknowns(mode);
   }
   return taken;
 }

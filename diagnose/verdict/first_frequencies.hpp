@@ -14,7 +14,7 @@ std::vector<Segment> first_turns(std::vector<Segment> segments, const std::vecto
 
 /// Natural frequencies by such first turns, from a start that is right to less than a half, all other unknowns as
 /// they are (docs/inference.md (40)). `which`: those that are looked for. One stays where it is near enough for six
-/// turns, and where the turns tell none that is between a half of it and twice it.
+/// turns, and where the turns do not tell one as sharply as that, between a half of it and twice it.
 Eigen::VectorXd first_frequencies(Discrepancy& turns, const Eigen::VectorXd& start,
                                   const std::vector<std::size_t>& which, unsigned threads);
 
