@@ -41,12 +41,15 @@ void add_help_command(CLI::App* command, Action& chosen) {
   static const std::map<std::string, Shell> shells = {
       {"bash", Shell::bash}, {"fish", Shell::fish}, {"zsh", Shell::zsh}};
   auto options = std::make_shared<Options>();
-  command->add_option("COMMAND", options->words, "the command to tell about; without it all are listed");
+  CLI::Option* words =
+      command->add_option("COMMAND", options->words, "the command to tell about; without it all are listed");
   CLI::Option* manual =
       command->add_flag("--manual", options->manual, "print the page of the manual: man -l FILE shows it");
   command->add_option("--completion", options->shell, "print what this shell reads to complete command lines")
       ->check(CLI::IsMember(shells))
-      ->excludes(manual);
+      ->excludes(manual)
+      ->excludes(words);
+  manual->excludes(words);
   command->footer(
       "Example: secular help blind generate\n"
       "Example: secular help --completion bash > ~/.local/share/bash-completion/completions/secular");

@@ -29,21 +29,29 @@ void each(const DescribedCommand& command, const std::string& words,
   for (const DescribedCommand& below : command.commands) each(below, words + " " + below.name, then);
 }
 
+struct Lists {
+  std::vector<std::string> commands, models;
+};
+
 // What follows an option or a positional argument, where it can be listed.
-std::vector<std::string> listed_values(const DescribedOption& option, const std::vector<std::string>& models) {
-  return option.takes_model ? models : option.choices;
+std::vector<std::string> listed_values(const DescribedOption& option, const Lists& lists) {
+  if (option.takes_command) return lists.commands;
+  return option.takes_model ? lists.models : option.choices;
 }
 
 // Both shells look up words by the command that the line has come to: `next` holds commands, `dashed` options,
-// `listed` values by command and option, or by command alone for positional arguments.
-std::string bash_script(const DescribedCommand& program, const std::vector<std::string>& models) {
+// `valued` those that a value follows, `listed` values by command and option, or by command alone for positional
+// arguments.
+std::string bash_script(const DescribedCommand& program, const Lists& lists) {
   std::string tables;
   each(program, program.name, [&](const DescribedCommand& command, const std::string& words) {
-    std::vector<std::string> dashed, next;
+    std::vector<std::string> dashed, next, valued;
     for (const DescribedCommand& below : command.commands) next.push_back(below.name);
     for (const DescribedOption& option : command.options) {
       if (!option.positional) dashed.insert(dashed.end(), option.names.begin(), option.names.end());
-      if (const std::vector<std::string> values = listed_values(option, models); !values.empty())
+      if (!option.positional && !option.value.empty())
+        valued.insert(valued.end(), option.names.begin(), option.names.end());
+      if (const std::vector<std::string> values = listed_values(option, lists); !values.empty())
         for (const std::string& name : option.names)
           tables +=
               fmt::format("  listed[{}]={}\n", quoted(option.positional ? words : words + " " + name, Shell::bash),
@@ -51,10 +59,12 @@ std::string bash_script(const DescribedCommand& program, const std::vector<std::
     }
     const std::string key = quoted(words, Shell::bash);
     if (!next.empty()) tables += fmt::format("  next[{}]='{}'\n", key, fmt::join(next, " "));
-    tables += fmt::format("  dashed[{}]='{}'\n", key, fmt::join(dashed, " "));
+    tables += fmt::format("  dashed[{}]='{}'\n  valued[{}]='{}'\n", key, fmt::join(dashed, " "), key,
+                          fmt::join(valued, " "));
   });
   return "# Completion of " + program.name + " for bash.\n_" + program.name + R"(() {
-  local -A next dashed listed
+  COMPREPLY=()
+  local -A next dashed valued listed
 )" + tables +
          R"(  local at=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=)" + program.name +
          R"( word
@@ -68,7 +78,7 @@ std::string bash_script(const DescribedCommand& program, const std::vector<std::
   elif [[ -n ${next[$command]} ]]; then
     COMPREPLY=($(compgen -W "${next[$command]}" -- "$at"))
   else
-    COMPREPLY=($(compgen -W "${listed[$command]}" -- "$at"))
+    [[ " ${valued[$command]} " == *" $before "* ]] || COMPREPLY=($(compgen -W "${listed[$command]}" -- "$at"))
     compopt -o bashdefault -o default
   fi
 }
@@ -81,7 +91,7 @@ std::string zsh_entry(const std::string& name, const std::string& purpose) {
   return " " + quoted(name + ":" + purpose, Shell::zsh);
 }
 
-std::string zsh_script(const DescribedCommand& program, const std::vector<std::string>& models) {
+std::string zsh_script(const DescribedCommand& program, const Lists& lists) {
   std::string steps, cases;
   each(program, program.name, [&](const DescribedCommand& command, const std::string& words) {
     std::string next, dashed, listed;
@@ -92,7 +102,7 @@ std::string zsh_script(const DescribedCommand& program, const std::vector<std::s
     for (const DescribedOption& option : command.options) {
       if (!option.positional)
         for (const std::string& name : option.names) dashed += zsh_entry(name, option.purpose);
-      if (const std::vector<std::string> values = listed_values(option, models); !values.empty())
+      if (const std::vector<std::string> values = listed_values(option, lists); !values.empty())
         for (const std::string& name : option.names)
           listed +=
               fmt::format("      ({}) listed=({}) ;;\n", option.positional ? "''" : name, fmt::join(values, " "));
@@ -125,7 +135,7 @@ fi
 )";
 }
 
-std::string fish_script(const DescribedCommand& program, const std::vector<std::string>& models) {
+std::string fish_script(const DescribedCommand& program, const Lists& lists) {
   std::string lines = "# Completion of " + program.name + " for fish.\n";
   each(program, program.name, [&](const DescribedCommand& command, const std::string& words) {
     std::string condition, names;
@@ -149,7 +159,7 @@ std::string fish_script(const DescribedCommand& program, const std::vector<std::
       if (!option.positional)
         for (const std::string& name : option.names)
           line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-      const std::vector<std::string> values = listed_values(option, models);
+      const std::vector<std::string> values = listed_values(option, lists);
       if (option.positional && values.empty()) continue;  // files, as everywhere
       if (!option.value.empty() && !option.positional) line += " -r";
       if (!values.empty())
@@ -165,15 +175,17 @@ std::string fish_script(const DescribedCommand& program, const std::vector<std::
 
 std::string completion_script(const DescribedCommand& program, Shell shell,
                               const std::vector<std::string>& models) {
+  Lists lists{{}, models};
+  for (const DescribedCommand& command : program.commands) lists.commands.push_back(command.name);
   switch (shell) {
     case Shell::bash:
-      return bash_script(program, models);
+      return bash_script(program, lists);
     case Shell::zsh:
-      return zsh_script(program, models);
+      return zsh_script(program, lists);
     case Shell::fish:
       break;
   }
-  return fish_script(program, models);
+  return fish_script(program, lists);
 }
 
 }  // namespace secular::app

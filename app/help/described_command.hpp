@@ -15,7 +15,7 @@ struct DescribedOption {
   bool positional = false;
   bool required = false;
   bool takes_command = false;  ///< the name of a command of the program
-  bool takes_model = false;  ///< a model file, or the name of a shipped model
+  bool takes_model = false;    ///< a model file, or the name of a shipped model
 };
 
 /// A command with what stands below it.

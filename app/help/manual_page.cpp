@@ -57,7 +57,8 @@ std::string manual_page(const DescribedCommand& program, const std::string& vers
   for (const DescribedCommand& command : program.commands) text += section(command, program.name);
   text +=
       ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nThe work ran and its own check failed, or it came to no result.\n"
-      ".TP\n2\nBad input, nothing in it to work on, or a command line that cannot be read.\n.TP\n3\nA fault of the program.\n";
+      ".TP\n2\nBad input, nothing in it to work on, or a command line that cannot be read.\n.TP\n3\nA fault of the "
+      "program.\n";
   return text;
 }
 

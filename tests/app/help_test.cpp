@@ -90,6 +90,8 @@ TEST(Help, BashOffersCommandsOptionsValuesAndModels) {
   EXPECT_EQ(offered(script, "secular identify c --by \"\""), "full-equations modulation-equations");
   EXPECT_EQ(offered(script, "secular identify c --model mathieu"), "mathieu_duffing");
   EXPECT_EQ(offered(script, "secular derive pend"), "pendulum");
+  EXPECT_EQ(offered(script, "secular derive pendulum --case pend"), "");
+  EXPECT_EQ(offered(script, "secular help bl"), "blind");
   for (const std::string& command : command_words()) {
     const std::string words = " " + offered(script, "secular " + command + " --") + " ";
     for (const std::string& option : options_in(printed(command + " --help")))
