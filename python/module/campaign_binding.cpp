@@ -1,16 +1,21 @@
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "input/input_error.hpp"
 #include "jobs/simulate/simulation.hpp"
+#include "measure/data/campaign_target.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/held_campaign.hpp"
 #include "python/module/bindings.hpp"
@@ -97,6 +102,21 @@ std::shared_ptr<Campaign> simulated(const std::string& experiment, std::uint64_t
   }));
 }
 
+// As the commands do: never over what is read, and in the place of a campaign that a command made alone.
+void save(const Campaign& campaign, const std::string& folder, bool replace) {
+  const auto is_in_memory = [](const RecordEntry& entry) { return entry.held != nullptr; };
+  if (!std::all_of(campaign.records.begin(), campaign.records.end(), is_in_memory))
+    if (const std::string how = overlap(folder, campaign.folder); !how.empty())
+      throw InputError(folder, "", fmt::format("{} the campaign that is read ({})", how, campaign.folder.string()),
+                       "name another place: what is read is never written to");
+  std::error_code error;
+  if (replace && std::filesystem::is_directory(folder, error) && !std::filesystem::is_empty(folder, error))
+    if (const std::string fault = fault_of_replaced(folder); !fault.empty())
+      throw InputError(folder, "", fault,
+                       "name another folder, or remove this one yourself: replace=True replaces campaigns alone");
+  write_campaign(campaign, folder, replace);
+}
+
 }  // namespace
 
 void add_campaign(py::module_& module) {
@@ -116,7 +136,7 @@ void add_campaign(py::module_& module) {
       .def(
           "save",
           [](const Campaign& campaign, const std::string& folder, bool replace) {
-            run_without_lock([&] { write_campaign(campaign, folder, replace); });
+            run_without_lock([&] { save(campaign, folder, replace); });
           },
           "folder"_a, "replace"_a);
   module.def("simulate", &simulated, "experiment"_a, "seed"_a, "threads"_a, "interpret"_a);

@@ -63,6 +63,7 @@ void add_diagnose(py::module_& module) {
            [](const DiagnoseOutcome& o) {
              return figure_dict(computed([&] { return gap_figure(o.found.diagnosis); }));
            })
+      .def_property_readonly("mostly_left_out", [](const DiagnoseOutcome& o) { return o.found.mostly_left_out; })
       .def_readonly("notices", &DiagnoseOutcome::notices);
   module.def("diagnose", &diagnosed, "campaign"_a, "model"_a, "parameters"_a, "options"_a);
 }

@@ -66,6 +66,7 @@ void add_identify(py::module_& module) {
           "command"_a)
       .def("figure",
            [](const IdentifyOutcome& o) { return figure_dict(computed([&] { return response_figure(o.found); })); })
+      .def_property_readonly("mostly_left_out", [](const IdentifyOutcome& o) { return o.found.mostly_left_out; })
       .def_readonly("notices", &IdentifyOutcome::notices);
   module.def("identify", &identified, "campaign"_a, "model"_a, "options"_a);
 }

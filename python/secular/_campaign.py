@@ -11,7 +11,7 @@ from typing import Optional, Sequence, Union
 
 import numpy as np
 
-from . import _core
+from . import _checks, _core
 from ._errors import InputError
 
 
@@ -20,7 +20,7 @@ class Channel:
     """One sensor.
 
     role: "excitation" or "response"; quantity: "acceleration", "velocity", "displacement", "force", "voltage",
-    "strain" or "angle"; unit: of the samples ("m/s^2", "g", "mm", ...); frame: of an acceleration of a structure on a
+    "strain" or "angle"; unit: of the samples, SI alone ("m/s^2", "m/s", "m", "N", ...: no "g", no "mm"); frame: of an acceleration of a structure on a
     moving base, "relative" to it or "absolute".
     """
 
@@ -35,7 +35,7 @@ class Channel:
 class Record:
     """One measurement.
 
-    samples: array of channels x samples, in channel units; NaN where nothing was measured.
+    samples: array of channels x samples, real numbers in channel units; NaN, or masked, where nothing was measured.
     kind: "dwell", "sweep", "free_decay", "impact" or "broadband".
     excitation_frequency_hz, excitation_amplitude: of a dwell, nominal (Hz; peak, in the unit of the excitation).
     ensemble_s: how a dwell is cut, s. started_s: when, since the campaign began, s. start_s: of the first sample, s.
@@ -92,18 +92,70 @@ def _campaign_text(name, sample_rate_hz, channels, records, modal_basis) -> str:
     return text
 
 
-def _in_words(error: InputError, text: str) -> InputError:
-    """The same error, with the channel or record it is about in place of a line of `text`."""
+def _in_words(error: InputError, text: str, channels, records) -> InputError:
+    """The same error, with the channel, record or sample it is about in place of a line of `text` or of a file."""
+    files = [record.file or f"records/{number:04}.csv" for number, record in enumerate(records, 1)]
     at = re.match(r"line (\d+)(, .*)?$", error.place)
-    if at is None:
+    if error.file in files:
+        place = f"record {files.index(error.file) + 1}"
+        sample = re.match(r"line (\d+), column (.*)$", error.place)
+        names = [channel.name for channel in channels]
+        if sample and sample[2] in names:
+            place += f", channel {sample[2]}, samples[{names.index(sample[2])}, {int(sample[1]) - 2}]"
+        elif at:
+            place += f", sample {int(at[1]) - 2} (from 0){at[2] or ''}"
+        elif error.place:
+            place += f", {error.place}"
+    elif at is None:
         return error
-    heads = [line for line in text.splitlines()[: int(at[1])] if line.startswith("[")]
-    if not heads:
-        return error
-    kind = heads[-1].strip("[]")
-    place = kind if kind == "modal_basis" else f"{kind} {heads.count(heads[-1])}"
-    message = str(error).replace(error.place, place + (at[2] or ""))
-    return InputError(message, error.file, place + (at[2] or ""), error.fault, error.remedy)
+    else:
+        heads = [line for line in text.splitlines()[: int(at[1])] if line.startswith("[")]
+        if not heads:
+            return error
+        kind = heads[-1].strip("[]")
+        place = (kind if kind == "modal_basis" else f"{kind} {heads.count(heads[-1])}") + (at[2] or "")
+    message = f"{error.file}, {place}: {error.fault}" + (f"; {error.remedy}" if error.remedy else "")
+    return InputError(message, error.file, place, error.fault, error.remedy)
+
+
+def _checked_channels(channels) -> list[Channel]:
+    if not np.iterable(channels) or not all(isinstance(channel, Channel) for channel in channels):
+        raise _checks.refused("channels", "are no sequence of secular.Channel", "give one Channel for each sensor")
+    checked = list(channels)
+    for number, channel in enumerate(checked, 1):
+        for key, value in vars(channel).items():
+            _checks.text(f"channel {number}, {key}", value)
+    return checked
+
+
+def _checked_records(records, channels: int) -> list[Record]:
+    """Copies with arrays of doubles; the arrays of the caller stay as they are."""
+    if not np.iterable(records) or not all(isinstance(record, Record) for record in records):
+        raise _checks.refused("records", "are no sequence of secular.Record", "give one Record for each measurement")
+    checked = []
+    for number, record in enumerate(records, 1):
+        at = f"record {number}"
+        reals = {key: _checks.optional_real(f"{at}, {key}", getattr(record, key)) for key in
+                 ("excitation_frequency_hz", "excitation_amplitude", "ensemble_s", "started_s")}
+        file = _checks.optional_text(f"{at}, file", record.file)
+        samples = _checks.samples(f"{at}, samples", record.samples, channels)
+        checked.append(Record(samples, _checks.text(f"{at}, kind", record.kind), **reals, file=file,
+                              group=_checks.text(f"{at}, group", record.group),
+                              start_s=_checks.real(f"{at}, start_s", record.start_s)))
+    return checked
+
+
+def _checked_basis(basis) -> Optional[ModalBasis]:
+    if basis is None:
+        return None
+    if not isinstance(basis, ModalBasis):
+        raise _checks.refused("modal_basis", f"is {type(basis).__name__}", "give a secular.ModalBasis")
+    shapes = np.asarray(basis.mass_normalised_shapes)
+    if shapes.ndim != 2 or shapes.dtype.kind not in "fiu":
+        raise _checks.refused("modal_basis, mass_normalised_shapes", "are no array of real numbers, channels x modes",
+                              "give two dimensions")
+    return ModalBasis(_checks.names("modal_basis, channels", basis.channels),
+                      _checks.names("modal_basis, modes", basis.modes), shapes)
 
 
 class Campaign:
@@ -116,13 +168,16 @@ class Campaign:
 
     def __init__(self, channels: Sequence[Channel], records: Sequence[Record], *, time_step_s: float,
                  name: str = "campaign", modal_basis: Optional[ModalBasis] = None):
-        if not time_step_s > 0:
+        step = _checks.real("time_step_s", time_step_s)
+        if not step > 0:
             raise InputError("time_step_s: is not positive", "time_step_s", "", "is not positive", "give seconds")
-        text = _campaign_text(name, 1 / time_step_s, channels, records, modal_basis)
+        channels = _checked_channels(channels)
+        records = _checked_records(records, len(channels))
+        text = _campaign_text(_checks.text("name", name), 1 / step, channels, records, _checked_basis(modal_basis))
         try:
             self._core = _core.Campaign.hold(text, [(record.start_s, record.samples) for record in records])
         except InputError as error:
-            raise _in_words(error, text) from None
+            raise _in_words(error, text, channels, records) from None
 
     @classmethod
     def _of(cls, core) -> "Campaign":
@@ -133,14 +188,15 @@ class Campaign:
     @classmethod
     def read(cls, folder: Union[str, os.PathLike]) -> "Campaign":
         """A campaign folder. Its records are read when they are needed."""
-        return cls._of(_core.Campaign.read(os.fspath(folder)))
+        return cls._of(_core.Campaign.read(_checks.path("folder", folder)))
 
     def save(self, folder: Union[str, os.PathLike], *, replace: bool = False) -> Path:
-        """Writes a campaign folder, whole or not at all; reading it gives the same numbers bit by bit.
+        """Writes a campaign folder, whole or not at all; reading it gives the same numbers bit by bit, NaN included.
 
-        replace: what is in the folder goes.
+        replace: a campaign that stands there goes. Anything else is refused: a folder that no command and no `save`
+        made or that holds other files too, and the folder that this campaign is read from.
         """
-        self._core.save(os.fspath(folder), replace)
+        self._core.save(_checks.path("folder", folder), _checks.flag("replace", replace))
         return Path(folder)
 
     @property
@@ -177,4 +233,4 @@ class Campaign:
 
 
 def as_campaign(campaign: Union[Campaign, str, os.PathLike]) -> Campaign:
-    return campaign if isinstance(campaign, Campaign) else Campaign.read(campaign)
+    return campaign if isinstance(campaign, Campaign) else Campaign.read(_checks.path("campaign", campaign))

@@ -10,7 +10,7 @@ from typing import Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import _core
+from . import _checks, _core
 from ._campaign import Campaign, as_campaign
 from ._errors import NumericalFailure
 from ._model import Model, model_source
@@ -62,7 +62,8 @@ def _value(entry: dict) -> Value:
 class _Result:
     """What results have in common.
 
-    status: "done"; "not converged"; "failed" (reason says why, and there are no numbers). notices: what there is to
+    status: "done", where the program would exit with 0; "not converged"; "mostly left out" (numbers from less than half
+    of the records); "failed" (there are no numbers). reason: why it is not "done". notices: what there is to
     know of the records and the run, one line each. disturbances: what the records hold beside the motion. data: the
     content of the file that the program writes.
     """
@@ -71,6 +72,8 @@ class _Result:
         self._core = core
         self.reason = reason
         self.status = "failed" if core is None else "done"
+        if core is not None and core.mostly_left_out:
+            self.status, self.reason = "mostly left out", core.mostly_left_out
         self.data: dict = json.loads(core.json()) if core is not None else {}
         self.notices: list[str] = core.notices if core is not None else []
         self.disturbances: list[dict] = self.data.get("disturbances", [])
@@ -106,7 +109,8 @@ class Identification(_Result):
     def __init__(self, core, reason: str = ""):
         super().__init__(core, reason)
         if self.data.get("quality", {}).get("converged") is False:
-            self.status, self.reason = "not converged", "the fit did not come to an end"
+            ended = "the fit did not come to an end"
+            self.status, self.reason = "not converged", f"{ended}; {self.reason}" if self.reason else ended
         self.values = [_value(entry) for entry in self.data.get("estimates", [])]
         self.lumps = [_value(entry) for entry in self.data.get("lumps", [])]
         covariance = self.data.get("covariance", {"names": [], "matrix": []})
@@ -129,6 +133,9 @@ class Identification(_Result):
     @property
     def standard_deviations(self) -> np.ndarray:
         return np.array([value.sd for value in self.values], dtype=float)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.names
 
     def __getitem__(self, name: str) -> Value:
         for value in self.values:
@@ -232,8 +239,10 @@ def _html_table(caption: str, heads: Sequence[str], rows: Sequence[Sequence[str]
 
 
 def _selection(records, band_hz, from_s, to_s, threads, interpret) -> dict:
-    return {"records": records, "band_hz": band_hz, "from_s": from_s, "to_s": to_s,
-            "threads": threads or os.cpu_count() or 1, "interpret": interpret}
+    return {"records": _checks.optional_text("records", records), "band_hz": _checks.band(band_hz),
+            "from_s": _checks.optional_real("from_s", from_s, may_be_infinite=True),
+            "to_s": _checks.optional_real("to_s", to_s, may_be_infinite=True),
+            "threads": _checks.threads(threads), "interpret": _checks.flag("interpret", interpret)}
 
 
 def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, str, os.PathLike], *,
@@ -251,10 +260,10 @@ def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     status.
     """
     if by not in (None, "full-equations", "modulation-equations"):
-        raise ValueError("by: 'full-equations' or 'modulation-equations' was expected")
-    cases = [case] if isinstance(case, str) else list(case or [])
-    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret), cases=cases, fix=dict(fix or {}),
-                   by=by, refine=refine, bootstrap=bootstrap, seed=seed)
+        raise _checks.refused("by", f"is {by!r}", "give 'full-equations' or 'modulation-equations'")
+    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret), cases=_checks.names("case", case),
+                   fix=_checks.numbers_by_symbol("fix", fix), by=by, refine=_checks.flag("refine", refine),
+                   bootstrap=_checks.whole("bootstrap", bootstrap, 0, 100000), seed=_checks.seed(seed))
     try:
         return Identification(_core.identify(as_campaign(campaign)._core, model_source(model), options))
     except NumericalFailure as failure:
@@ -275,10 +284,10 @@ def diagnose(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     if isinstance(parameters, Identification):
         given = ("the identification", parameters.to_json())
     elif isinstance(parameters, Mapping):
-        given = ("the parameters", json.dumps({name: float(value) for name, value in parameters.items()}))
+        given = ("the parameters", json.dumps(_checks.numbers_by_symbol("parameters", parameters)))
     elif parameters is not None:
-        given = (os.fspath(parameters), None)
-    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret), without=list(without))
+        given = (_checks.path("parameters", parameters), None)
+    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret), without=_checks.names("without", without))
     try:
         return Diagnosis(_core.diagnose(as_campaign(campaign)._core, model_source(model), given, options))
     except NumericalFailure as failure:
@@ -291,4 +300,5 @@ def simulate(experiment: Union[str, os.PathLike], *, seed: int = 1, threads: Opt
 
     experiment: a file, or "experiments/NAME" of a shipped one (docs/simulating.md). seed: of the measurement noise.
     """
-    return Campaign._of(_core.simulate(os.fspath(experiment), seed, threads or os.cpu_count() or 1, interpret))
+    return Campaign._of(_core.simulate(_checks.path("experiment", experiment), _checks.seed(seed),
+                                       _checks.threads(threads), _checks.flag("interpret", interpret)))

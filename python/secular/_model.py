@@ -7,7 +7,7 @@ import os
 import re
 from typing import Optional, Sequence, Union
 
-from . import _core
+from . import _checks, _core
 
 
 class Model:
@@ -17,7 +17,7 @@ class Model:
     """
 
     def __init__(self, model: Union[str, os.PathLike]):
-        self.source = os.fspath(model)
+        self.source = _checks.path("model", model)
         outline = _core.outline(self.source)
         self.name: str = outline["name"]
         self.cases: list[str] = outline["cases"]
@@ -32,7 +32,7 @@ class Model:
 
 
 def model_source(model: Union[Model, str, os.PathLike]) -> str:
-    return model.source if isinstance(model, Model) else os.fspath(model)
+    return model.source if isinstance(model, Model) else _checks.path("model", model)
 
 
 class Derivation:
@@ -100,4 +100,5 @@ def derive(model: Union[Model, str, os.PathLike], case: Optional[str] = None, *,
     case: one of them; all without it. with_effects: "NAME[:MODE[:OTHER[:FORM]]]" of effects of the catalogue that are
     added to the equations of motion.
     """
-    return Derivation(_core.derive(model_source(model), case or "", list(with_effects)))
+    return Derivation(_core.derive(model_source(model), _checks.optional_text("case", case) or "",
+                                   _checks.names("with_effects", with_effects)))

@@ -26,6 +26,7 @@ def test_an_identification_is_typed(identification):
         found = identification[name]
         assert found.ci95[0] < found.value < found.ci95[1]
         assert abs(found.value - value) < 4 * found.sd
+    assert "mu1" in identification and "nu1" not in identification
     assert identification["mu1"].unit == "1/s" and identification["mu1"].why == ""
     open_one = identification["alpha2"]
     assert open_one.value is None and not open_one.identifiable and "entangled with alpha3" in open_one.why
@@ -64,6 +65,49 @@ def test_fixed_numbers_and_selections_reach_the_job(folder):
     assert "records/0001.csv" in raised.value.remedy
     with pytest.raises(secular.InputError, match="is no band"):
         secular.identify(folder, "two_mass_mode1", band_hz=(30, 20))
+
+
+@pytest.mark.parametrize("name, value", [
+    ("fix", {"mu1": np.nan}), ("fix", {"mu1": np.inf}), ("fix", {"mu1": "a"}), ("fix", 3), ("bootstrap", -1),
+    ("bootstrap", 100001), ("bootstrap", 2.5), ("threads", 0), ("threads", 1025), ("threads", -1), ("seed", -1),
+    ("seed", 2**64), ("band_hz", 20), ("band_hz", (1, 2, 3)), ("band_hz", ("a", "b")), ("records", ["records/0001.csv"]),
+    ("from_s", "a"), ("to_s", np.nan), ("case", 5), ("by", "magic"), ("refine", "yes"), ("interpret", None)])
+def test_arguments_that_are_none_are_refused_by_name(campaign, name, value):
+    with pytest.raises(secular.InputError) as raised:
+        secular.identify(campaign, "two_mass_mode1", **{name: value})
+    assert raised.value.file.split(",")[0] == name and raised.value.remedy.startswith("give ")
+
+
+def test_arguments_of_the_others_are_refused_by_name(campaign):
+    for job, name in ((lambda: secular.identify(5, "two_mass_mode1"), "campaign"),
+                      (lambda: secular.identify(campaign, None), "model"),
+                      (lambda: secular.diagnose(campaign, "two_mass_mode1", parameters={"mu1": "a"}), "parameters, mu1"),
+                      (lambda: secular.diagnose(campaign, "two_mass_mode1", without=[1]), "without"),
+                      (lambda: secular.simulate("experiments/principal_parametric", seed=1.5), "seed"),
+                      (lambda: secular.derive("duffing", 1), "case")):
+        with pytest.raises(secular.InputError) as raised:
+            job()
+        assert raised.value.file == name
+
+
+def test_a_result_of_the_lesser_part_of_the_records_says_so(campaign):
+    heard = [secular.Record(record.samples, record.kind, record.excitation_frequency_hz) for record in campaign]
+    shape = heard[0].samples.shape
+    noise = [secular.Record(1e-3 * np.random.default_rng(r).normal(size=shape), "dwell", 5 + 0.1 * r) for r in range(25)]
+    mixed = secular.Campaign(campaign.channels, heard + noise, time_step_s=campaign.time_step_s)
+    result = secular.identify(mixed, "two_mass_mode1")
+    assert result.status == "mostly left out" and result.reason == result.notices[-1]
+    assert result["mu1"].value is not None
+
+
+def test_what_was_not_measured_disturbs_the_same_from_a_folder(campaign, tmp_path):
+    records = list(campaign)[:6]
+    records[2].samples[1, 500] = np.nan
+    gappy = secular.Campaign(campaign.channels, records, time_step_s=campaign.time_step_s)
+    held = secular.identify(gappy, "two_mass_mode1")
+    read = secular.identify(gappy.save(tmp_path / "gappy"), "two_mass_mode1")
+    assert read.disturbances == held.disturbances
+    assert any("0003" in json.dumps(one) for one in held.disturbances)
 
 
 def test_diagnose_is_the_program_s(program, folder, campaign, identification, tmp_path):
