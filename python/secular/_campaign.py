@@ -20,8 +20,8 @@ class Channel:
     """One sensor.
 
     role: "excitation" or "response"; quantity: "acceleration", "velocity", "displacement", "force", "voltage",
-    "strain" or "angle"; unit: of the samples, SI alone ("m/s^2", "m/s", "m", "N", ...: no "g", no "mm"); frame: of an acceleration of a structure on a
-    moving base, "relative" to it or "absolute".
+    "strain" or "angle"; unit: of the samples, SI alone ("m/s^2", "m/s", "m", "N", ...; no "g", no "mm"); frame: of an
+    acceleration of a structure on a moving base, "relative" to it or "absolute".
     """
 
     name: str
