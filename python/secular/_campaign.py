@@ -20,8 +20,8 @@ class Channel:
     """One sensor.
 
     role: "excitation" or "response"; quantity: "acceleration", "velocity", "displacement", "force", "voltage",
-    "strain" or "angle"; unit: of the samples, SI alone ("m/s^2", "m/s", "m", "N", ...: no "g", no "mm"); frame: of an acceleration of a structure on a
-    moving base, "relative" to it or "absolute".
+    "strain" or "angle"; unit: of the samples, SI alone ("m/s^2", "m/s", "m", "N", ...; no "g", no "mm"); frame: of an
+    acceleration of a structure on a moving base, "relative" to it or "absolute".
     """
 
     name: str
@@ -96,7 +96,7 @@ def _in_words(error: InputError, text: str, channels, records) -> InputError:
     """The same error, with the channel, record or sample it is about in place of a line of `text` or of a file."""
     files = [record.file or f"records/{number:04}.csv" for number, record in enumerate(records, 1)]
     at = re.match(r"line (\d+)(, .*)?$", error.place)
-    if error.file in files:
+    if files.count(error.file) == 1:
         place = f"record {files.index(error.file) + 1}"
         sample = re.match(r"line (\d+), column (.*)$", error.place)
         names = [channel.name for channel in channels]
@@ -106,7 +106,7 @@ def _in_words(error: InputError, text: str, channels, records) -> InputError:
             place += f", sample {int(at[1]) - 2} (from 0){at[2] or ''}"
         elif error.place:
             place += f", {error.place}"
-    elif at is None:
+    elif at is None or error.file in files:
         return error
     else:
         heads = [line for line in text.splitlines()[: int(at[1])] if line.startswith("[")]

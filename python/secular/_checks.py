@@ -50,6 +50,8 @@ def flag(argument: str, value) -> bool:
 def text(argument: str, value) -> str:
     if not isinstance(value, str):
         raise refused(argument, _shown(value), "give a text (str)")
+    if any("\ud800" <= character <= "\udfff" for character in value):
+        raise refused(argument, "has halves of characters (surrogates)", "give a text that UTF-8 can hold")
     return value
 
 

@@ -287,7 +287,8 @@ def diagnose(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
         given = ("the parameters", json.dumps(_checks.numbers_by_symbol("parameters", parameters)))
     elif parameters is not None:
         given = (_checks.path("parameters", parameters), None)
-    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret), without=_checks.names("without", without))
+    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret),
+                   without=_checks.names("without", without))
     try:
         return Diagnosis(_core.diagnose(as_campaign(campaign)._core, model_source(model), given, options))
     except NumericalFailure as failure:

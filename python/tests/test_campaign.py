@@ -128,6 +128,8 @@ def test_arguments_of_a_wrong_type_are_named():
         secular.Campaign(["base", "v"], [good], time_step_s=1)
     with pytest.raises(secular.InputError, match="^records: "):
         secular.Campaign(CHANNELS, good, time_step_s=1)
+    with pytest.raises(secular.InputError, match="^channel 2, name: has halves of characters"):
+        small(channels=[CHANNELS[0], secular.Channel("v\ud800", "response", "acceleration", "m/s^2")])
     with pytest.raises(secular.InputError, match="^channel 2, unit: "):
         small(channels=[CHANNELS[0], secular.Channel("v", "response", "acceleration", 1)])
 
