@@ -6,9 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "measure/modal/motion_columns.hpp"
 #include "measure/modal/pole_fit.hpp"
 #include "measure/modal/short_problem.hpp"
 #include "numerics/nonlinear_fit.hpp"
+#include "numerics/orthonormal_span.hpp"
 
 namespace secular {
 namespace {
@@ -60,12 +62,6 @@ VectorXcd at_rows(const Path& path, double step, Index rows, double rate) {
   return u;
 }
 
-MatrixXd columns_of(const VectorXcd& motion) {
-  MatrixXd columns(motion.size(), 2);
-  columns << 2 * motion.real(), -2 * motion.imag();
-  return columns;
-}
-
 // The fit of laws to the first rows by variable projection, as in pole_fit.cpp.
 class LawFit {
  public:
@@ -73,16 +69,9 @@ class LawFit {
     const Index n = motion.others.size();
     MatrixXd columns = MatrixXd::Ones(rows, 2 * n + 1);
     for (Index r = 0; r < n; ++r)
-      columns.middleCols(2 * r, 2) = columns_of(
-          (motion.others(r) *
-           VectorXd::LinSpaced(rows, 0, static_cast<double>(rows - 1) / motion.sample_rate_hz).cast<Complex>())
-              .array()
-              .exp());
-    for (Index c = 0; c < columns.cols(); ++c) columns.col(c).normalize();
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
-    qr.setThreshold(1e-9);
-    basis_ = qr.householderQ() * MatrixXd::Identity(rows, qr.rank());
-    data_ = projected(motion.samples.topRows(rows));
+      columns.middleCols(2 * r, 2) = motion_columns(exponential(rows, motion.sample_rate_hz, motion.others(r)));
+    basis_ = orthonormal_span(columns);
+    data_ = without_span(basis_, motion.samples.topRows(rows));
     largest_ = *std::max_element(motion.amplitudes.begin(), motion.amplitudes.end());
   }
 
@@ -106,8 +95,6 @@ class LawFit {
   }
 
  private:
-  MatrixXd projected(const MatrixXd& columns) const { return columns - basis_ * (basis_.transpose() * columns); }
-
   double add_record(const VectorXd& law, std::size_t record, MatrixXd& hessian, VectorXd& gradient) const {
     constexpr Index nodes = 129;
     const double rate = motion_.sample_rate_hz, duration = static_cast<double>(rows_ - 1) / rate,
@@ -116,7 +103,7 @@ class LawFit {
     if (!path.value.allFinite() || !(path.value.real().maxCoeff() < 300))
       return std::numeric_limits<double>::infinity();
     const VectorXcd motion = at_rows(path, step, rows_, rate).array().exp();
-    const MatrixXd columns = projected(columns_of(motion));
+    const MatrixXd columns = without_span(basis_, motion_columns(motion));
     const Index first = static_cast<Index>(record) * motion_.channels;
     const auto data = data_.middleCols(first, motion_.channels);
     const Eigen::HouseholderQR<MatrixXd> qr(columns);
@@ -134,10 +121,9 @@ class LawFit {
       other(i) -= 2 * h;
       const Path behind = path_of(other, share, nodes, step);
       const Path by{(ahead.value - behind.value) / (2 * h), (ahead.slope - behind.slope) / (2 * h)};
-      moved.middleCols(2 * i, 2) = columns_of(motion.cwiseProduct(at_rows(by, step, rows_, rate)));
+      moved.middleCols(2 * i, 2) = motion_columns(motion.cwiseProduct(at_rows(by, step, rows_, rate)));
     }
-    moved = projected(moved);
-    moved -= basis * (basis.transpose() * moved);
+    moved = without_span(basis, without_span(basis_, moved));
     const MatrixXd moments = moved.transpose() * moved, slopes = moved.transpose() * left;
     for (Index s = 0; s < data.cols(); ++s) {
       MatrixXd turn = MatrixXd::Zero(moved.cols(), law.size());  // residuals fall by the columns times this

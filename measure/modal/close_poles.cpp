@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "numerics/orthonormal_span.hpp"
+
 namespace secular {
 namespace {
 
@@ -55,15 +57,12 @@ std::pair<Complex, Complex> closest_pair(const Eigen::Ref<const MatrixXd>& sampl
     if (r != row) others.middleCols(2 * at++, 2) = pole_columns(rows, rate, fit.poles(r));
   const Eigen::HouseholderQR<MatrixXd> qr(others);
   const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(rows, others.cols());
-  const auto projected = [&](const MatrixXd& columns) -> MatrixXd {
-    return columns - basis * (basis.transpose() * columns);
-  };
   const std::vector<Complex> grid =
       grid_about(fit.poles(row), static_cast<double>(rows) / rate, std::numbers::pi * rate);
   MatrixXd columns(rows, 2 * static_cast<Index>(grid.size()));
   for (std::size_t g = 0; g < grid.size(); ++g)
     columns.middleCols(2 * static_cast<Index>(g), 2) = pole_columns(rows, rate, grid[g]);
-  columns = projected(columns);
+  columns = without_span(basis, columns);
   const VectorXd weight = fit.noise_sd.cwiseMax(1e-300).cwiseInverse();
   const MatrixXd moments = columns.transpose() * columns,
                  slopes = columns.transpose() * samples * weight.asDiagonal();
