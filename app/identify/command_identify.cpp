@@ -85,7 +85,10 @@ void print_full_summary(const Identification& id, const std::string& folder) {
   if (full.has_converged) {
     const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
     fmt::print("fit of all records: off by {:.3g} times what the measurement repeats to (p = {:.2g}{})\n",
-               fit.misfit_ratio, fit.p_value, fit.significant ? ", the model does not hold" : ", nothing wrong");
+               fit.misfit_ratio, fit.p_value,
+               full.noise_misjudged ? ": the noise is misjudged, and nothing is said of the model"
+               : fit.significant    ? ", the model does not hold"
+                                    : ", nothing wrong");
     fmt::print("parameters\n");
     for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
     print_not_separated(id.estimate);

@@ -60,8 +60,11 @@ std::string full_report(const Identification& id, const std::string& command) {
   if (full.has_converged) {
     const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
     page.card({"Fit of all records", report::format_number(fit.misfit_ratio, 3) + " times repeatability",
-               fmt::format("p = {:.2g}{}", fit.p_value, fit.significant ? ", the model does not hold" : ""),
-               fit.significant ? report::Tone::caution : report::Tone::good});
+               fmt::format("p = {:.2g}{}", fit.p_value,
+                           full.noise_misjudged ? ": the noise is misjudged, and nothing is said of the model"
+                           : fit.significant    ? ", the model does not hold"
+                                                : ""),
+               fit.significant || full.noise_misjudged ? report::Tone::caution : report::Tone::good});
   }
   page.section("Parameters");
   page.paragraph(full.has_converged
