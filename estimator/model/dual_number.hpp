@@ -6,59 +6,61 @@
 
 namespace secular {
 
-/// value + slope*d with d^2 = 0: arithmetic carries the derivative along, exact up to rounding.
+/// value + sum of slope[d]*e_d with e_d*e_c = 0: arithmetic carries derivatives along in that many directions,
+/// exact up to rounding.
+template <std::size_t directions>
 struct DualNumber {
-  double value = 0, slope = 0;
+  double value = 0, slope[directions] = {};
 
   constexpr DualNumber() = default;
-  constexpr explicit DualNumber(double v, double s = 0) : value(v), slope(s) {}
+  constexpr DualNumber(double v) : value(v) {}  // NOLINT: a number is one that does not change
+  static constexpr DualNumber variable(double v, std::size_t direction) {
+    DualNumber x(v);
+    x.slope[direction] = 1;
+    return x;
+  }
 
   friend constexpr bool operator==(const DualNumber&, const DualNumber&) = default;
   friend constexpr DualNumber operator+(const DualNumber& a, const DualNumber& b) {
-    return DualNumber(a.value + b.value, a.slope + b.slope);
+    DualNumber sum(a.value + b.value);
+    for (std::size_t d = 0; d < directions; ++d) sum.slope[d] = a.slope[d] + b.slope[d];
+    return sum;
   }
   friend constexpr DualNumber operator-(const DualNumber& a, const DualNumber& b) {
-    return DualNumber(a.value - b.value, a.slope - b.slope);
+    DualNumber difference(a.value - b.value);
+    for (std::size_t d = 0; d < directions; ++d) difference.slope[d] = a.slope[d] - b.slope[d];
+    return difference;
   }
-  friend constexpr DualNumber operator-(const DualNumber& a) { return DualNumber(-a.value, -a.slope); }
+  friend constexpr DualNumber operator-(const DualNumber& a) { return -1.0 * a; }
   friend constexpr DualNumber operator*(const DualNumber& a, const DualNumber& b) {
-    return DualNumber(a.value * b.value, a.slope * b.value + a.value * b.slope);
+    DualNumber product(a.value * b.value);
+    for (std::size_t d = 0; d < directions; ++d) product.slope[d] = a.slope[d] * b.value + a.value * b.slope[d];
+    return product;
+  }
+  friend constexpr DualNumber operator*(double a, const DualNumber& b) {
+    DualNumber product(a * b.value);
+    for (std::size_t d = 0; d < directions; ++d) product.slope[d] = a * b.slope[d];
+    return product;
   }
   friend constexpr DualNumber operator/(const DualNumber& a, const DualNumber& b) {
-    const double quotient = a.value / b.value;
-    return DualNumber(quotient, (a.slope - quotient * b.slope) / b.value);
+    DualNumber quotient(a.value / b.value);
+    for (std::size_t d = 0; d < directions; ++d)
+      quotient.slope[d] = (a.slope[d] - quotient.value * b.slope[d]) / b.value;
+    return quotient;
   }
 };
 
-inline double real_part(const DualNumber& x) {
+template <std::size_t directions>
+double real_part(const DualNumber<directions>& x) {
   return x.value;
 }
-inline DualNumber sqrt(const DualNumber& x) {
-  const double root = root_of(x.value);
-  return DualNumber(root, x.slope / (2 * root));
+/// At zero, where the root has no derivative, the slopes are zero.
+template <std::size_t directions>
+DualNumber<directions> sqrt(const DualNumber<directions>& x) {
+  DualNumber<directions> root(root_of(x.value));
+  const double rate = inverse_or_zero(2 * root.value);
+  for (std::size_t d = 0; d < directions; ++d) root.slope[d] = rate * x.slope[d];
+  return root;
 }
-
-/// The factors that multiply the terms of a block, from `function(natural_frequency, excitation_frequency,
-/// factor)`.
-template <auto function>
-struct FactorValues {
-  void operator()(const double* natural_frequency, const double* excitation_frequency, double* factor) const {
-    function(natural_frequency, excitation_frequency, factor);
-  }
-};
-
-/// Their derivatives by the natural frequency of `mode`.
-template <auto function, std::size_t modes, std::size_t excitations, std::size_t count>
-struct FactorSlopes {
-  std::size_t mode = 0;
-  void operator()(const double* natural_frequency, const double* excitation_frequency, double* factor) const {
-    DualNumber natural[modes], excitation[excitations + 1], result[count];
-    for (std::size_t k = 0; k < modes; ++k) natural[k] = DualNumber(natural_frequency[k], k == mode ? 1.0 : 0.0);
-    if (excitation_frequency != nullptr)
-      for (std::size_t j = 0; j < excitations; ++j) excitation[j] = DualNumber(excitation_frequency[j]);
-    function(natural, excitation, result);
-    for (std::size_t t = 0; t < count; ++t) factor[t] = result[t].slope;
-  }
-};
 
 }  // namespace secular
