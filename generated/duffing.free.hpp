@@ -21,6 +21,12 @@ struct modulation_of_x : BlockShape<2, 2, 0> {
     column[0] = factor[0] * A_x;  // mu
     column[1] = times_i(factor[1] * (norm_A_x * A_x));  // conservative_x_A_x2_conjA_x
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], 2.0 * lump[1] * factor[1] * norm_A_x);
+    by_conjugate[0] = times_i(lump[1] * factor[1] * (A_x * A_x));
+  }
 };
 
 /// amplitude of exp(i*(0)*t) in x = -2/omega0^2*a2*A_x*conj(A_x)

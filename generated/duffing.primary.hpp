@@ -24,6 +24,12 @@ struct modulation_of_x : BlockShape<3, 3, follows_modes | is_forced> {
     column[1] = times_i(factor[1] * (norm_A_x * A_x));  // conservative_x_A_x2_conjA_x
     column[2] = times_i(factor[2] * F);  // e
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], 2.0 * lump[1] * factor[1] * norm_A_x);
+    by_conjugate[0] = times_i(lump[1] * factor[1] * (A_x * A_x));
+  }
 };
 
 inline constexpr BlockFunctions blocks[4] = {modulation_functions<Model, modulation_of_x>(),

@@ -25,6 +25,13 @@ struct modulation_of_x : BlockShape<4, 3, follows_modes | is_forced> {
     column[2] = times_i(factor[2] * (norm_A_x * A_x));  // a3
     column[3] = times_i(factor[1] * (conj_A_x * conj_A_x * F));  // conservative_x_conjA_x2_F
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], lump[1] * factor[1] * norm_F
+        + 2.0 * lump[2] * factor[2] * norm_A_x);
+    by_conjugate[0] = times_i(lump[2] * factor[2] * (A_x * A_x) + 2.0 * lump[3] * factor[1] * (conj_A_x * F));
+  }
 };
 
 /// amplitude of exp(i*(Omega)*t) in x = 1/(8*omega0^2)*a3*A_x^3 +

@@ -43,6 +43,21 @@ struct modulation_of_x : BlockShape<14, 3, follows_modes | follows_excitation | 
     column[12] = times_i(factor[2] * (conj_A_x * conj_A_x * F));  // conservative_x_conjA_x2_F_sigma
     column[13] = times_i(factor[0] * (conj_A_x * conj_A_x * norm_F * F));  // conservative_x_conjA_x2_F3
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[1] + 2.0 * lump[6] * factor[0] * norm_A_x, lump[2] * factor[0]
+        + lump[3] * factor[0] * norm_F + lump[4] * factor[2] * norm_F + lump[5] * factor[0] * (norm_F * norm_F)
+        + 2.0 * lump[7] * factor[0] * norm_A_x + 2.0 * lump[8] * factor[0] * (norm_A_x * norm_F)
+        + 3.0 * lump[9] * factor[0] * (norm_A_x * norm_A_x))
+        + times_i(4.0 * lump[0] * factor[0] * (A_x * A_x * A_x * conj_F)
+        + lump[0] * factor[0] * (conj_A_x * conj_A_x * conj_A_x * F));
+    by_conjugate[0] = lump[6] * factor[0] * (A_x * A_x) + 2.0 * lump[10] * factor[0] * (conj_A_x * F)
+        + times_i(3.0 * lump[0] * factor[0] * (norm_A_x * conj_A_x * F) + lump[7] * factor[0] * (A_x * A_x)
+        + lump[8] * factor[0] * (A_x * A_x * norm_F) + 2.0 * lump[9] * factor[0] * (norm_A_x * A_x * A_x)
+        + 2.0 * lump[11] * factor[0] * (conj_A_x * F) + 2.0 * lump[12] * factor[2] * (conj_A_x * F)
+        + 2.0 * lump[13] * factor[0] * (conj_A_x * norm_F * F));
+  }
 };
 
 /// amplitude of exp(i*(Omega)*t) in x = 13/(32*omega0)*conservative_x_A_x4_F*A_x^2*conj(A_x)^2*F -

@@ -32,6 +32,19 @@ struct modulation_of_x : BlockShape<8, 3, follows_modes | is_forced> {
     column[6] = times_i(factor[0] * (norm_A_x * A_y));  // conservative_x_A_x_A_y_conjA_x
     column[7] = times_i(factor[0] * (conj_A_x * A_y * A_y));  // conservative_x_A_y2_conjA_x
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[1], lump[2] * factor[0] * norm_A_y
+        + 2.0 * lump[3] * factor[0] * norm_A_x) + times_i(2.0 * lump[0] * factor[0] * (A_x * conj_A_y)
+        + lump[6] * factor[0] * (conj_A_x * A_y));
+    by_conjugate[0] = times_i(lump[3] * factor[0] * (A_x * A_x) + lump[6] * factor[0] * (A_x * A_y)
+        + lump[7] * factor[0] * (A_y * A_y));
+    by[1] = ComplexNumber<double>(0.0, 2.0 * lump[5] * factor[0] * norm_A_y + lump[6] * factor[0] * norm_A_x)
+        + times_i(lump[2] * factor[0] * (A_x * conj_A_y) + 2.0 * lump[7] * factor[0] * (conj_A_x * A_y));
+    by_conjugate[1] = times_i(lump[0] * factor[0] * (A_x * A_x) + lump[2] * factor[0] * (A_x * A_y)
+        + lump[5] * factor[0] * (A_y * A_y));
+  }
 };
 
 /// (rate - i*omega2)*A_y = omega1/omega2*i*conservative_x_A_x_A_y_conjA_y*A_x*conj(A_x)*A_y +
@@ -55,6 +68,19 @@ struct modulation_of_y : BlockShape<8, 4, follows_modes | is_forced> {
     column[5] = factor[3] * A_y;  // mu2
     column[6] = times_i(factor[1] * (norm_A_y * A_y));  // conservative_y_A_y2_conjA_y
     column[7] = times_i(factor[1] * (conj_A_x * A_y * A_y));  // conservative_y_A_y2_conjA_x
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F] = signals;
+    by[0] = ComplexNumber<double>(0.0, lump[2] * factor[1] * norm_A_y + 2.0 * lump[3] * factor[1] * norm_A_x)
+        + times_i(lump[0] * factor[0] * (conj_A_x * A_y) + 2.0 * lump[1] * factor[1] * (A_x * conj_A_y));
+    by_conjugate[0] = times_i(lump[0] * factor[0] * (A_x * A_y) + lump[3] * factor[1] * (A_x * A_x)
+        + lump[7] * factor[1] * (A_y * A_y));
+    by[1] = ComplexNumber<double>(lump[5] * factor[3], lump[0] * factor[0] * norm_A_x
+        + 2.0 * lump[6] * factor[1] * norm_A_y) + times_i(lump[2] * factor[1] * (A_x * conj_A_y)
+        + 2.0 * lump[7] * factor[1] * (conj_A_x * A_y));
+    by_conjugate[1] = times_i(lump[1] * factor[1] * (A_x * A_x) + lump[2] * factor[1] * (A_x * A_y)
+        + lump[6] * factor[1] * (A_y * A_y));
   }
 };
 

@@ -29,6 +29,15 @@ struct modulation_of_x : BlockShape<5, 3, follows_modes | is_forced> {
     column[3] = times_i(factor[2] * F);  // e1
     column[4] = times_i(factor[1] * (conj_A_x * conj_A_x * A_y));  // conservative_x_A_y_conjA_x2
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], lump[1] * factor[1] * norm_A_y
+        + 2.0 * lump[2] * factor[1] * norm_A_x);
+    by_conjugate[0] = times_i(lump[2] * factor[1] * (A_x * A_x) + 2.0 * lump[4] * factor[1] * (conj_A_x * A_y));
+    by[1] = times_i(lump[1] * factor[1] * (A_x * conj_A_y) + lump[4] * factor[1] * (conj_A_x * conj_A_x));
+    by_conjugate[1] = times_i(lump[1] * factor[1] * (A_x * A_y));
+  }
 };
 
 /// (rate - i*omega2)*A_y = omega1/omega2*i*conservative_x_A_x_A_y_conjA_y*A_x*conj(A_x)*A_y +
@@ -46,6 +55,15 @@ struct modulation_of_y : BlockShape<4, 3, follows_modes> {
     column[1] = times_i(factor[1] * (A_x * A_x * A_x));  // conservative_y_A_x3
     column[2] = factor[2] * A_y;  // mu2
     column[3] = times_i(factor[1] * (norm_A_y * A_y));  // conservative_y_A_y2_conjA_y
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F] = signals;
+    by[0] = times_i(lump[0] * factor[0] * (conj_A_x * A_y) + 3.0 * lump[1] * factor[1] * (A_x * A_x));
+    by_conjugate[0] = times_i(lump[0] * factor[0] * (A_x * A_y));
+    by[1] = ComplexNumber<double>(lump[2] * factor[2], lump[0] * factor[0] * norm_A_x
+        + 2.0 * lump[3] * factor[1] * norm_A_y);
+    by_conjugate[1] = times_i(lump[3] * factor[1] * (A_y * A_y));
   }
 };
 

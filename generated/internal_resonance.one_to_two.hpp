@@ -32,6 +32,17 @@ struct modulation_of_x : BlockShape<7, 4, follows_modes | is_forced> {
     column[5] = times_i(factor[2] * (conj_A_x * A_y)) + times_i(factor[3] * (conj_A_x * A_y));  // a2
     column[6] = times_i(factor[1] * (conj_A_x * F));  // conservative_x_conjA_x_F
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], lump[1] * factor[1] + lump[2] * factor[1] * norm_A_y
+        + 2.0 * lump[3] * factor[1] * norm_A_x);
+    by_conjugate[0] = lump[4] * factor[1] * A_y + times_i(lump[3] * factor[1] * (A_x * A_x)
+        + lump[5] * factor[2] * A_y + lump[5] * factor[3] * A_y + lump[6] * factor[1] * F);
+    by[1] = lump[4] * factor[1] * conj_A_x + times_i(lump[2] * factor[1] * (A_x * conj_A_y)
+        + lump[5] * factor[2] * conj_A_x + lump[5] * factor[3] * conj_A_x);
+    by_conjugate[1] = times_i(lump[2] * factor[1] * (A_x * A_y));
+  }
 };
 
 /// (rate - i*omega2)*A_y = 1/(2*omega2)*i*a2*A_x^2 + (-2*omega1 + omega2)/(4*omega2^2)*i*a2*A_x^2 +
@@ -57,6 +68,16 @@ struct modulation_of_y : BlockShape<8, 6, follows_modes | follows_excitation | i
     column[5] = times_i(factor[2] * (norm_A_x * A_y));  // conservative_y_A_x_A_y_conjA_x
     column[6] = factor[2] * F;  // dissipative_y_F
     column[7] = times_i(factor[4] * F) + times_i(factor[5] * F);  // e2
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F] = signals;
+    by[0] = 2.0 * lump[1] * factor[2] * A_x + times_i(2.0 * lump[0] * factor[0] * A_x
+        + 2.0 * lump[0] * factor[1] * A_x + lump[5] * factor[2] * (conj_A_x * A_y));
+    by_conjugate[0] = times_i(lump[5] * factor[2] * (A_x * A_y));
+    by[1] = ComplexNumber<double>(lump[2] * factor[3], lump[3] * factor[2] + 2.0 * lump[4] * factor[2] * norm_A_y
+        + lump[5] * factor[2] * norm_A_x);
+    by_conjugate[1] = times_i(lump[4] * factor[2] * (A_y * A_y));
   }
 };
 

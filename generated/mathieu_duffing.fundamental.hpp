@@ -26,6 +26,13 @@ struct modulation_of_x : BlockShape<3, 4, follows_modes | is_forced> {
     column[1] = times_i(factor[1] * (A_x * norm_F)) + times_i(factor[2] * (conj_A_x * F * F));
     column[2] = times_i(factor[3] * (norm_A_x * A_x));  // a3
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], lump[1] * factor[1] * norm_F
+        + 2.0 * lump[2] * factor[3] * norm_A_x);
+    by_conjugate[0] = times_i(lump[1] * factor[2] * (F * F) + lump[2] * factor[3] * (A_x * A_x));
+  }
 };
 
 /// amplitude of exp(i*(0)*t) in x = -1/(2*Omega*(2*omega0 - Omega))*h*conj(A_x)*F - 1/(2*Omega*(2*omega0 -

@@ -36,6 +36,18 @@ struct modulation_of_x : BlockShape<8, 6, follows_modes | follows_excitation | i
     column[6] = times_i(factor[0] * (norm_A_x * norm_A_x * A_x));  // conservative_x_A_x3_conjA_x2
     column[7] = times_i(factor[4] * (conj_A_x * F)) + times_i(factor[5] * (conj_A_x * F));  // h
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[2] + 2.0 * lump[4] * factor[0] * norm_A_x, lump[2] * factor[0]
+        + lump[3] * factor[0] * norm_F + 2.0 * lump[5] * factor[3] * norm_A_x
+        + 3.0 * lump[6] * factor[0] * (norm_A_x * norm_A_x))
+        + times_i(3.0 * lump[0] * factor[0] * (A_x * A_x * conj_F)
+        + lump[0] * factor[1] * (conj_A_x * conj_A_x * F));
+    by_conjugate[0] = lump[4] * factor[0] * (A_x * A_x) + times_i(2.0 * lump[0] * factor[1] * (norm_A_x * F)
+        + lump[5] * factor[3] * (A_x * A_x) + 2.0 * lump[6] * factor[0] * (norm_A_x * A_x * A_x)
+        + lump[7] * factor[4] * F + lump[7] * factor[5] * F);
+  }
 };
 
 /// amplitude of exp(i*(omega0 + Omega)*t) in x = (48*omega0^3 - 48*omega0^2*Omega)/(7*Omega^2*(2*omega0 +

@@ -46,6 +46,27 @@ struct modulation_of_x : BlockShape<15, 6, follows_modes | follows_excitation | 
     column[13] = times_i(factor[0] * (norm_A_y * conj_A_y * F));  // conservative_x_A_y_conjA_y2_F
     column[14] = times_i(factor[0] * (norm_A_x * conj_A_y * F));  // conservative_x_A_x_conjA_x_conjA_y_F
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[1] + lump[4] * factor[0] * norm_A_y
+        + 2.0 * lump[7] * factor[0] * norm_A_x, lump[2] * factor[0] + lump[3] * factor[0] * norm_F
+        + lump[5] * factor[2] * norm_A_y + lump[6] * factor[0] * (norm_A_y * norm_A_y)
+        + 2.0 * lump[8] * factor[3] * norm_A_x + 2.0 * lump[9] * factor[0] * (norm_A_x * norm_A_y)
+        + 3.0 * lump[10] * factor[0] * (norm_A_x * norm_A_x))
+        + times_i(2.0 * lump[0] * factor[0] * (A_x * A_y * conj_F)
+        + lump[14] * factor[0] * (conj_A_x * conj_A_y * F));
+    by_conjugate[0] = lump[7] * factor[0] * (A_x * A_x) + times_i(lump[8] * factor[3] * (A_x * A_x)
+        + lump[9] * factor[0] * (A_x * A_x * norm_A_y) + 2.0 * lump[10] * factor[0] * (norm_A_x * A_x * A_x)
+        + lump[14] * factor[0] * (A_x * conj_A_y * F));
+    by[1] = lump[4] * factor[0] * (A_x * conj_A_y) + times_i(lump[0] * factor[0] * (A_x * A_x * conj_F)
+        + lump[5] * factor[2] * (A_x * conj_A_y) + 2.0 * lump[6] * factor[0] * (A_x * norm_A_y * conj_A_y)
+        + lump[9] * factor[0] * (norm_A_x * A_x * conj_A_y) + lump[13] * factor[0] * (conj_A_y * conj_A_y * F));
+    by_conjugate[1] = lump[4] * factor[0] * (A_x * A_y) + lump[11] * factor[0] * F
+        + times_i(lump[5] * factor[2] * (A_x * A_y) + 2.0 * lump[6] * factor[0] * (A_x * norm_A_y * A_y)
+        + lump[9] * factor[0] * (norm_A_x * A_x * A_y) + lump[12] * factor[4] * F + lump[12] * factor[5] * F
+        + 2.0 * lump[13] * factor[0] * (norm_A_y * F) + lump[14] * factor[0] * (norm_A_x * F));
+  }
 };
 
 /// (rate - i*omega2)*A_y = (2*omega1^2 + omega1*omega2)/(omega2*(omega1 +
@@ -93,6 +114,26 @@ struct modulation_of_y : BlockShape<15, 8, follows_modes | follows_excitation | 
     column[12] = times_i(factor[6] * (conj_A_x * F)) + times_i(factor[7] * (conj_A_x * F));  // q
     column[13] = times_i(factor[3] * (conj_A_x * norm_A_y * F));  // conservative_y_A_y_conjA_x_conjA_y_F
     column[14] = times_i(factor[3] * (norm_A_x * conj_A_x * F));  // conservative_y_A_x_conjA_x2_F
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F, norm_F] = signals;
+    by[0] = lump[9] * factor[3] * (conj_A_x * A_y) + times_i(lump[1] * factor[1] * (conj_A_x * A_y)
+        + 2.0 * lump[2] * factor[2] * (norm_A_x * conj_A_x * A_y) + lump[3] * factor[3] * (A_y * A_y * conj_F)
+        + lump[10] * factor[3] * (conj_A_x * norm_A_y * A_y) + lump[14] * factor[3] * (conj_A_x * conj_A_x * F));
+    by_conjugate[0] = lump[9] * factor[3] * (A_x * A_y) + lump[11] * factor[3] * F
+        + times_i(lump[1] * factor[1] * (A_x * A_y) + 2.0 * lump[2] * factor[2] * (norm_A_x * A_x * A_y)
+        + lump[10] * factor[3] * (A_x * norm_A_y * A_y) + lump[12] * factor[6] * F + lump[12] * factor[7] * F
+        + lump[13] * factor[3] * (norm_A_y * F) + 2.0 * lump[14] * factor[3] * (norm_A_x * F));
+    by[1] = ComplexNumber<double>(lump[4] * factor[4] + 2.0 * lump[6] * factor[3] * norm_A_y
+        + lump[9] * factor[3] * norm_A_x, lump[0] * factor[0] * norm_F + lump[1] * factor[1] * norm_A_x
+        + lump[2] * factor[2] * (norm_A_x * norm_A_x) + lump[5] * factor[3] + 2.0 * lump[7] * factor[5] * norm_A_y
+        + 3.0 * lump[8] * factor[3] * (norm_A_y * norm_A_y) + 2.0 * lump[10] * factor[3] * (norm_A_x * norm_A_y))
+        + times_i(2.0 * lump[3] * factor[3] * (A_x * A_y * conj_F)
+        + lump[13] * factor[3] * (conj_A_x * conj_A_y * F));
+    by_conjugate[1] = lump[6] * factor[3] * (A_y * A_y) + times_i(lump[7] * factor[5] * (A_y * A_y)
+        + 2.0 * lump[8] * factor[3] * (norm_A_y * A_y * A_y) + lump[10] * factor[3] * (norm_A_x * A_y * A_y)
+        + lump[13] * factor[3] * (conj_A_x * A_y * F));
   }
 };
 

@@ -27,6 +27,15 @@ struct modulation_of_x : BlockShape<4, 4, follows_modes | is_forced> {
     column[2] = times_i(factor[2] * (A_x * norm_A_y));  // b3
     column[3] = times_i(factor[3] * (norm_A_x * A_x));  // b1
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[1], lump[2] * factor[2] * norm_A_y
+        + 2.0 * lump[3] * factor[3] * norm_A_x);
+    by_conjugate[0] = times_i(lump[3] * factor[3] * (A_x * A_x));
+    by[1] = times_i(lump[0] * factor[0] * conj_F + lump[2] * factor[2] * (A_x * conj_A_y));
+    by_conjugate[1] = times_i(lump[2] * factor[2] * (A_x * A_y));
+  }
 };
 
 /// (rate - i*omega2)*A_y = 1/omega2*i*b3*A_x*conj(A_x)*A_y - mu2*A_y + 3/(2*omega2)*i*b5*A_y^2*conj(A_y) -
@@ -44,6 +53,15 @@ struct modulation_of_y : BlockShape<4, 4, follows_modes | is_forced> {
     column[1] = factor[1] * A_y;  // mu2
     column[2] = times_i(factor[2] * (norm_A_y * A_y));  // b5
     column[3] = times_i(factor[3] * (A_x * F));  // q
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, conj_A_x, norm_A_x, A_y, conj_A_y, norm_A_y, F, conj_F, norm_F] = signals;
+    by[0] = times_i(lump[0] * factor[0] * (conj_A_x * A_y) + lump[3] * factor[3] * F);
+    by_conjugate[0] = times_i(lump[0] * factor[0] * (A_x * A_y));
+    by[1] = ComplexNumber<double>(lump[1] * factor[1], lump[0] * factor[0] * norm_A_x
+        + 2.0 * lump[2] * factor[2] * norm_A_y);
+    by_conjugate[1] = times_i(lump[2] * factor[2] * (A_y * A_y));
   }
 };
 

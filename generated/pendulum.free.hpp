@@ -28,6 +28,16 @@ struct modulation_of_theta : BlockShape<5, 5, follows_modes> {
     column[3] = times_i(factor[3] * (norm_A_theta * A_theta));  // alpha3
     column[4] = times_i(factor[4] * (norm_A_theta * norm_A_theta * A_theta));  // beta5
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_theta, norm_A_theta, abs_A_theta, inverse_abs_A_theta, unit_A_theta] = signals;
+    by[0] = ComplexNumber<double>(0.5 * lump[0] * factor[0] * inverse_abs_A_theta + lump[1] * factor[1]
+        + 1.5 * lump[2] * factor[2] * abs_A_theta, 2.0 * lump[3] * factor[3] * norm_A_theta
+        + 3.0 * lump[4] * factor[4] * (norm_A_theta * norm_A_theta));
+    by_conjugate[0] = -0.5 * lump[0] * factor[0] * (inverse_abs_A_theta * unit_A_theta * unit_A_theta)
+        + 0.5 * lump[2] * factor[2] * (unit_A_theta * A_theta) + times_i(lump[3] * factor[3] * (A_theta * A_theta)
+        + 2.0 * lump[4] * factor[4] * (norm_A_theta * A_theta * A_theta));
+  }
 };
 
 /// amplitude of exp(i*(3*omega0)*t) in theta = 1/(12*omega0^2*Pi)*i*fc*A_theta^3*abs(A_theta)^-3 -

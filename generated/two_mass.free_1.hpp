@@ -27,6 +27,13 @@ struct modulation_of_v1 : BlockShape<4, 3, follows_modes> {
     column[2] = factor[2] * (norm_A_v1 * A_v1);  // mu13
     column[3] = times_i(factor[1] * (norm_A_v1 * A_v1));  // conservative_v1_A_v12_conjA_v1
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0] + 2.0 * lump[2] * factor[2] * norm_A_v1, lump[1] * factor[1]
+        + 2.0 * lump[3] * factor[1] * norm_A_v1);
+    by_conjugate[0] = lump[2] * factor[2] * (A_v1 * A_v1) + times_i(lump[3] * factor[1] * (A_v1 * A_v1));
+  }
 };
 
 /// amplitude of exp(i*(0)*t) in v1 = harmonic_re_v1_A_v1_conjA_v1*A_v1*conj(A_v1)

@@ -36,6 +36,17 @@ struct modulation_of_v1 : BlockShape<9, 6, follows_modes | is_forced> {
     column[7] = times_i(factor[5] * F);  // eta11
     column[8] = times_i(factor[0] * (norm_A_v2 * F));  // conservative_v1_A_v2_conjA_v2_F
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[2] + 2.0 * lump[5] * factor[4] * norm_A_v1, lump[2] * factor[0]
+        + lump[3] * factor[0] * norm_F + lump[4] * factor[0] * norm_A_v2 + 2.0 * lump[6] * factor[0] * norm_A_v1)
+        + times_i(2.0 * lump[0] * factor[0] * (A_v1 * conj_F) + lump[0] * factor[1] * (conj_A_v1 * F));
+    by_conjugate[0] = lump[5] * factor[4] * (A_v1 * A_v1) + times_i(lump[0] * factor[1] * (A_v1 * F)
+        + lump[3] * factor[3] * (F * F) + lump[6] * factor[0] * (A_v1 * A_v1));
+    by[1] = times_i(lump[4] * factor[0] * (A_v1 * conj_A_v2) + lump[8] * factor[0] * (conj_A_v2 * F));
+    by_conjugate[1] = times_i(lump[4] * factor[0] * (A_v1 * A_v2) + lump[8] * factor[0] * (A_v2 * F));
+  }
 };
 
 /// (rate - i*omega2)*A_v2 = -omega2/omega1*i*conservative_v1_A_v1*A_v2 +
@@ -62,6 +73,16 @@ struct modulation_of_v2 : BlockShape<7, 5, follows_modes | is_forced> {
     column[4] = times_i(factor[3] * (A_v2 * norm_F));  // conservative_v2_A_v2_F2
     column[5] = factor[4] * (norm_A_v2 * A_v2);  // mu23
     column[6] = times_i(factor[3] * (norm_A_v2 * A_v2));  // conservative_v2_A_v22_conjA_v2
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F, norm_F] = signals;
+    by[0] = times_i(lump[1] * factor[1] * (conj_A_v1 * A_v2) + lump[2] * factor[1] * (A_v2 * conj_F));
+    by_conjugate[0] = times_i(lump[1] * factor[1] * (A_v1 * A_v2) + lump[2] * factor[1] * (A_v2 * F));
+    by[1] = ComplexNumber<double>(lump[3] * factor[2] + 2.0 * lump[5] * factor[4] * norm_A_v2, lump[0] * factor[0]
+        + lump[1] * factor[1] * norm_A_v1 + lump[4] * factor[3] * norm_F + 2.0 * lump[6] * factor[3] * norm_A_v2)
+        + times_i(lump[2] * factor[1] * (A_v1 * conj_F) + lump[2] * factor[1] * (conj_A_v1 * F));
+    by_conjugate[1] = lump[5] * factor[4] * (A_v2 * A_v2) + times_i(lump[6] * factor[3] * (A_v2 * A_v2));
   }
 };
 

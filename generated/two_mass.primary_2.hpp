@@ -32,6 +32,16 @@ struct modulation_of_v1 : BlockShape<7, 3, follows_modes | is_forced> {
     column[5] = factor[2] * (norm_A_v1 * A_v1);  // mu13
     column[6] = times_i(factor[0] * (norm_A_v1 * A_v1));  // conservative_v1_A_v12_conjA_v1
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[1] + 2.0 * lump[5] * factor[2] * norm_A_v1, lump[2] * factor[0]
+        + lump[3] * factor[0] * norm_F + lump[4] * factor[0] * norm_A_v2 + 2.0 * lump[6] * factor[0] * norm_A_v1)
+        + times_i(lump[0] * factor[0] * (A_v2 * conj_F) + lump[0] * factor[0] * (conj_A_v2 * F));
+    by_conjugate[0] = lump[5] * factor[2] * (A_v1 * A_v1) + times_i(lump[6] * factor[0] * (A_v1 * A_v1));
+    by[1] = times_i(lump[0] * factor[0] * (A_v1 * conj_F) + lump[4] * factor[0] * (A_v1 * conj_A_v2));
+    by_conjugate[1] = times_i(lump[0] * factor[0] * (A_v1 * F) + lump[4] * factor[0] * (A_v1 * A_v2));
+  }
 };
 
 /// (rate - i*omega2)*A_v2 = omega1/omega2*i*conservative_v1_A_v1_A_v2_F*A_v1*conj(A_v1)*F -
@@ -62,6 +72,17 @@ struct modulation_of_v2 : BlockShape<9, 8, follows_modes | is_forced> {
     column[6] = factor[6] * (norm_A_v2 * A_v2);  // mu23
     column[7] = times_i(factor[2] * (norm_A_v2 * A_v2));  // conservative_v2_A_v22_conjA_v2
     column[8] = times_i(factor[7] * F);  // eta21
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F, norm_F] = signals;
+    by[0] = times_i(lump[0] * factor[0] * (conj_A_v1 * F) + lump[2] * factor[0] * (conj_A_v1 * A_v2));
+    by_conjugate[0] = times_i(lump[0] * factor[0] * (A_v1 * F) + lump[2] * factor[0] * (A_v1 * A_v2));
+    by[1] = ComplexNumber<double>(lump[4] * factor[4] + 2.0 * lump[6] * factor[6] * norm_A_v2, lump[1] * factor[1]
+        + lump[2] * factor[0] * norm_A_v1 + lump[5] * factor[2] * norm_F + 2.0 * lump[7] * factor[2] * norm_A_v2)
+        + times_i(2.0 * lump[3] * factor[2] * (A_v2 * conj_F) + lump[3] * factor[3] * (conj_A_v2 * F));
+    by_conjugate[1] = lump[6] * factor[6] * (A_v2 * A_v2) + times_i(lump[3] * factor[3] * (A_v2 * F)
+        + lump[5] * factor[5] * (F * F) + lump[7] * factor[2] * (A_v2 * A_v2));
   }
 };
 

@@ -31,6 +31,16 @@ struct modulation_of_v1 : BlockShape<6, 3, follows_modes | is_forced> {
     column[4] = times_i(factor[1] * (norm_A_v1 * A_v1));  // conservative_v1_A_v12_conjA_v1
     column[5] = times_i(factor[1] * (conj_A_v1 * F));  // conservative_v1_conjA_v1_F
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0] + 2.0 * lump[3] * factor[2] * norm_A_v1, lump[1] * factor[1]
+        + lump[2] * factor[1] * norm_A_v2 + 2.0 * lump[4] * factor[1] * norm_A_v1);
+    by_conjugate[0] = lump[3] * factor[2] * (A_v1 * A_v1) + times_i(lump[4] * factor[1] * (A_v1 * A_v1)
+        + lump[5] * factor[1] * F);
+    by[1] = times_i(lump[2] * factor[1] * (A_v1 * conj_A_v2));
+    by_conjugate[1] = times_i(lump[2] * factor[1] * (A_v1 * A_v2));
+  }
 };
 
 /// (rate - i*omega2)*A_v2 = -omega2/omega1*i*conservative_v1_A_v1*A_v2 +
@@ -51,6 +61,15 @@ struct modulation_of_v2 : BlockShape<5, 5, follows_modes> {
     column[2] = factor[2] * A_v2;  // mu22
     column[3] = factor[3] * (norm_A_v2 * A_v2);  // mu23
     column[4] = times_i(factor[4] * (norm_A_v2 * A_v2));  // conservative_v2_A_v22_conjA_v2
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F, norm_F] = signals;
+    by[0] = times_i(lump[1] * factor[1] * (conj_A_v1 * A_v2));
+    by_conjugate[0] = times_i(lump[1] * factor[1] * (A_v1 * A_v2));
+    by[1] = ComplexNumber<double>(lump[2] * factor[2] + 2.0 * lump[3] * factor[3] * norm_A_v2, lump[0] * factor[0]
+        + lump[1] * factor[1] * norm_A_v1 + 2.0 * lump[4] * factor[4] * norm_A_v2);
+    by_conjugate[1] = lump[3] * factor[3] * (A_v2 * A_v2) + times_i(lump[4] * factor[4] * (A_v2 * A_v2));
   }
 };
 

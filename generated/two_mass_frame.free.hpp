@@ -25,6 +25,15 @@ struct modulation_of_v1 : BlockShape<3, 2, 0> {
     column[1] = times_i(factor[1] * (A_v1 * norm_A_v2));  // conservative_v1_A_v1_A_v2_conjA_v2
     column[2] = times_i(factor[1] * (norm_A_v1 * A_v1));  // conservative_v1_A_v12_conjA_v1
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], lump[1] * factor[1] * norm_A_v2
+        + 2.0 * lump[2] * factor[1] * norm_A_v1);
+    by_conjugate[0] = times_i(lump[2] * factor[1] * (A_v1 * A_v1));
+    by[1] = times_i(lump[1] * factor[1] * (A_v1 * conj_A_v2));
+    by_conjugate[1] = times_i(lump[1] * factor[1] * (A_v1 * A_v2));
+  }
 };
 
 /// amplitude of exp(i*(2*omega1 + omega2)*t) in v1 = harmonic_re_v1_A_v12_A_v2*A_v1^2*A_v2

@@ -25,6 +25,15 @@ struct modulation_of_v1 : BlockShape<4, 2, is_forced> {
     column[2] = times_i(factor[1] * (norm_A_v1 * A_v1));  // conservative_v1_A_v12_conjA_v1
     column[3] = times_i(factor[1] * (conj_A_v1 * F));  // conservative_v1_conjA_v1_F
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0], lump[1] * factor[1] * norm_A_v2
+        + 2.0 * lump[2] * factor[1] * norm_A_v1);
+    by_conjugate[0] = times_i(lump[2] * factor[1] * (A_v1 * A_v1) + lump[3] * factor[1] * F);
+    by[1] = times_i(lump[1] * factor[1] * (A_v1 * conj_A_v2));
+    by_conjugate[1] = times_i(lump[1] * factor[1] * (A_v1 * A_v2));
+  }
 };
 
 /// (rate - i*omega2)*A_v2 = omega1/omega2*i*conservative_v1_A_v1_A_v2_conjA_v2*A_v1*conj(A_v1)*A_v2 - mu2*A_v2 +
@@ -41,6 +50,15 @@ struct modulation_of_v2 : BlockShape<3, 3, follows_modes> {
     column[0] = times_i(factor[0] * (norm_A_v1 * A_v2));  // conservative_v1_A_v1_A_v2_conjA_v2
     column[1] = factor[1] * A_v2;  // mu2
     column[2] = times_i(factor[2] * (norm_A_v2 * A_v2));  // conservative_v2_A_v22_conjA_v2
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, conj_F] = signals;
+    by[0] = times_i(lump[0] * factor[0] * (conj_A_v1 * A_v2));
+    by_conjugate[0] = times_i(lump[0] * factor[0] * (A_v1 * A_v2));
+    by[1] = ComplexNumber<double>(lump[1] * factor[1], lump[0] * factor[0] * norm_A_v1
+        + 2.0 * lump[2] * factor[2] * norm_A_v2);
+    by_conjugate[1] = times_i(lump[2] * factor[2] * (A_v2 * A_v2));
   }
 };
 

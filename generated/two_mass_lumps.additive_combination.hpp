@@ -32,6 +32,14 @@ struct modulation_of_v1 : BlockShape<7, 7, follows_modes | is_forced> {
     column[5] = factor[5] * (conj_A_v2 * F);  // q1
     column[6] = times_i(factor[6] * (conj_A_v2 * F));  // p
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0] + 2.0 * lump[3] * factor[3] * norm_A_v1, lump[1] * factor[1]
+        + lump[2] * factor[2] * norm_F + 2.0 * lump[4] * factor[4] * norm_A_v1);
+    by_conjugate[0] = lump[3] * factor[3] * (A_v1 * A_v1) + times_i(lump[4] * factor[4] * (A_v1 * A_v1));
+    by_conjugate[1] = lump[5] * factor[5] * F + times_i(lump[6] * factor[6] * F);
+  }
 };
 
 /// (rate - i*omega2)*A_v2 = -1/(4*omega2)*i*p*conj(A_v1)*F - mu22*A_v2 - 3*omega2^2/2*mu23*A_v2^2*conj(A_v2) +
@@ -51,6 +59,14 @@ struct modulation_of_v2 : BlockShape<5, 5, follows_modes | is_forced> {
     column[2] = factor[2] * (norm_A_v2 * A_v2);  // mu23
     column[3] = times_i(factor[3] * (norm_A_v2 * A_v2));  // alpha2
     column[4] = factor[4] * (conj_A_v1 * F);  // q2
+  }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v1, conj_A_v1, norm_A_v1, A_v2, conj_A_v2, norm_A_v2, F, norm_F] = signals;
+    by_conjugate[0] = lump[4] * factor[4] * F + times_i(lump[0] * factor[0] * F);
+    by[1] = ComplexNumber<double>(lump[1] * factor[1]
+        + 2.0 * lump[2] * factor[2] * norm_A_v2, 2.0 * lump[3] * factor[3] * norm_A_v2);
+    by_conjugate[1] = lump[2] * factor[2] * (A_v2 * A_v2) + times_i(lump[3] * factor[3] * (A_v2 * A_v2));
   }
 };
 

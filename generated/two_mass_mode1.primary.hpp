@@ -37,6 +37,17 @@ struct modulation_of_v : BlockShape<7, 8, follows_modes | is_forced> {
     column[5] = times_i(factor[6] * (norm_A_v * A_v));  // alpha_e
     column[6] = times_i(factor[7] * F);  // eta1
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v, conj_A_v, norm_A_v, abs_A_v, inverse_abs_A_v, unit_A_v, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[1] * factor[2] + 1.5 * lump[3] * factor[4] * abs_A_v
+        + 2.0 * lump[4] * factor[5] * norm_A_v, lump[2] * factor[0] * norm_F
+        + 2.0 * lump[5] * factor[6] * norm_A_v) + times_i(2.0 * lump[0] * factor[0] * (A_v * conj_F)
+        + lump[0] * factor[1] * (conj_A_v * F));
+    by_conjugate[0] = 0.5 * lump[3] * factor[4] * (unit_A_v * A_v) + lump[4] * factor[5] * (A_v * A_v)
+        + times_i(lump[0] * factor[1] * (A_v * F) + lump[2] * factor[3] * (F * F)
+        + lump[5] * factor[6] * (A_v * A_v));
+  }
 };
 
 /// amplitude of exp(i*(0)*t) in v = 1/(2*Omega*(2*omega0 - Omega))*eta2*conj(A_v)*F + 1/(2*Omega*(2*omega0 -

@@ -29,6 +29,14 @@ struct modulation_of_v : BlockShape<5, 5, follows_modes | is_forced> {
     column[3] = times_i(factor[3] * (norm_A_v * A_v));  // alpha_e
     column[4] = times_i(factor[4] * (conj_A_v * F));  // eta_e
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_v, conj_A_v, norm_A_v, abs_A_v, inverse_abs_A_v, unit_A_v, F, conj_F, norm_F] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0] + 1.5 * lump[1] * factor[1] * abs_A_v
+        + 2.0 * lump[2] * factor[2] * norm_A_v, 2.0 * lump[3] * factor[3] * norm_A_v);
+    by_conjugate[0] = 0.5 * lump[1] * factor[1] * (unit_A_v * A_v) + lump[2] * factor[2] * (A_v * A_v)
+        + times_i(lump[3] * factor[3] * (A_v * A_v) + lump[4] * factor[4] * F);
+  }
 };
 
 /// amplitude of exp(i*(0)*t) in v = -2/omega0^2*alpha_0*A_v*conj(A_v)

@@ -29,6 +29,17 @@ struct modulation_of_x : BlockShape<4, 5, 0> {
     // dissipative_x_A_x3_conjA_x2
     column[3] = factor[1] * (norm_A_x * norm_A_x * A_x) + factor[4] * (norm_A_x * norm_A_x * norm_A_x * A_x);
   }
+  static void slopes(const Model::Signals<double>& signals, const double* factor, const double* lump,
+      ComplexNumber<double>* by, ComplexNumber<double>* by_conjugate) {
+    const auto& [A_x, norm_A_x] = signals;
+    by[0] = ComplexNumber<double>(lump[0] * factor[0] + 2.0 * lump[2] * factor[1] * norm_A_x
+        + 3.0 * lump[3] * factor[1] * (norm_A_x * norm_A_x)
+        + 4.0 * lump[3] * factor[4] * (norm_A_x * norm_A_x * norm_A_x), lump[1] * factor[1]
+        + 2.0 * lump[1] * factor[2] * norm_A_x + 3.0 * lump[1] * factor[3] * (norm_A_x * norm_A_x));
+    by_conjugate[0] = lump[2] * factor[1] * (A_x * A_x) + 2.0 * lump[3] * factor[1] * (norm_A_x * A_x * A_x)
+        + 3.0 * lump[3] * factor[4] * (norm_A_x * norm_A_x * A_x * A_x)
+        + times_i(lump[1] * factor[2] * (A_x * A_x) + 2.0 * lump[1] * factor[3] * (norm_A_x * A_x * A_x));
+  }
 };
 
 /// amplitude of exp(i*(3*omega0)*t) in x = 1/(8*omega0)*i*mu*A_x^3 + 1/(4*omega0)*conservative_x_A_x*A_x^3 +

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
+#include "codegen/canonical/amplitude_derivative.hpp"
 #include "codegen/cpp/emitter.hpp"
 #include "codegen/cpp/monomial_code.hpp"
 #include "codegen/document/print_text.hpp"
@@ -56,6 +58,11 @@ std::vector<std::string> block_names(const CanonicalCase& c) {
   return names;
 }
 
+// Derivatives of a term of a modulation equation by the amplitude of a mode, then by its conjugate.
+std::optional<WeightedPowers> derivative(const CanonicalColumnTerm& term, std::size_t variable) {
+  return amplitude_derivative(term.powers, variable / 2, variable % 2 == 1);
+}
+
 // Signals that any block of the model needs.
 MonomialCode all_signals(const CanonicalModel& model) {
   MonomialCode monomials(model);
@@ -63,7 +70,11 @@ MonomialCode all_signals(const CanonicalModel& model) {
   for (const CanonicalCase& c : model.cases)
     for (const CanonicalBlock& block : c.blocks)
       for (const CanonicalBlock::Column& column : block.columns)
-        for (const CanonicalColumnTerm& term : column.terms) monomials.product(term.powers, real);
+        for (const CanonicalColumnTerm& term : column.terms) {
+          monomials.product(term.powers, real);
+          for (std::size_t z = 0; z < 2 * model.coordinates.size() && block.modulation; ++z)
+            if (const auto slope = derivative(term, z)) monomials.product(slope->powers, real);
+        }
   return monomials;
 }
 
@@ -95,15 +106,22 @@ class BlockText {
       code_.line("struct " + name_ + " " + shape);
     factors();
     row();
+    if (block_.modulation) slopes();
     code_.line("};").line();
   }
 
  private:
-  std::string term_code(const CanonicalColumnTerm& term) {
-    const std::string factor = writer_.expression(term.factor);
+  // Its number in the list.
+  std::size_t factor_number(const RationalFunction& value) {
+    const std::string factor = writer_.expression(value);
     const auto known = std::find(factors_.begin(), factors_.end(), factor);
     const std::size_t number = static_cast<std::size_t>(known - factors_.begin());
     if (known == factors_.end()) factors_.push_back(factor);
+    return number;
+  }
+
+  std::string term_code(const CanonicalColumnTerm& term) {
+    const std::size_t number = factor_number(term.factor);
     for (std::size_t i = 0; i < model_.natural_frequencies.size() + model_.excitation_frequencies.size(); ++i)
       if (depends_on(term.factor, i)) (i < model_.natural_frequencies.size() ? by_natural_ : by_excitation_) = true;
     bool real = false;
@@ -158,6 +176,51 @@ class BlockText {
     if (monomials_.uses_any()) code_.list("const auto& [", signals_, "] = signals;");
     for (std::size_t j = 0; j < columns_.size(); ++j)
       code_.line(fmt::format("column[{}] = {};  // {}", j, columns_[j], case_.lumps[block_.columns[j].lump].name));
+    code_.line("}");
+  }
+
+  // The sum of lumps times the derivatives of their columns.
+  std::string slope_code(std::size_t variable, MonomialCode& monomials) {
+    std::string numbers[2], sums[2];  // by whether i multiplies them
+    for (std::size_t j = 0; j < block_.columns.size(); ++j)
+      for (const CanonicalColumnTerm& term : block_.columns[j].terms) {
+        const auto slope = derivative(term, variable);
+        if (!slope) continue;
+        const CanonicalRatio weight = slope->weight;
+        std::string product = fmt::format("lump[{}] * factor[{}]", j, factor_number(term.factor));
+        if (weight.numerator != 1 || weight.denominator != 1)
+          product = fmt::format("{:#} * ", static_cast<double>(weight.numerator) / weight.denominator) + product;
+        bool real = false;
+        const std::string monomial = monomials.product(slope->powers, real);
+        if (!monomial.empty())
+          product += monomial.find(" * ") == std::string::npos ? " * " + monomial : " * (" + monomial + ")";
+        add_to_sum((real ? numbers : sums)[term.imaginary], product);
+      }
+    std::string value;
+    if (!numbers[0].empty() || !numbers[1].empty())
+      value = fmt::format("ComplexNumber<double>({}{}{})", numbers[0].empty() ? "0.0" : numbers[0],
+                          numbers[1].empty() ? "" : ", ", numbers[1]);
+    if (!sums[0].empty()) add_to_sum(value, sums[0]);
+    if (!sums[1].empty()) add_to_sum(value, "times_i(" + sums[1] + ")");
+    return value;
+  }
+
+  void slopes() {
+    MonomialCode monomials(model_);
+    std::vector<std::string> lines;
+    bool by_conjugate = false;
+    for (std::size_t z = 0; z < 2 * model_.coordinates.size(); ++z)
+      if (const std::string value = slope_code(z, monomials); !value.empty()) {
+        lines.push_back(fmt::format("{}[{}] = {};", z % 2 == 0 ? "by" : "by_conjugate", z / 2, value));
+        by_conjugate = by_conjugate || z % 2 == 1;
+      }
+    code_.line(
+        fmt::format("static void slopes(const Model::Signals<double>&{}, const double* factor, const double* lump,",
+                    monomials.uses_any() ? " signals" : ""));
+    code_.line(fmt::format("    ComplexNumber<double>* by, ComplexNumber<double>*{}) {{",
+                           by_conjugate ? " by_conjugate" : ""));
+    if (monomials.uses_any()) code_.list("const auto& [", signals_, "] = signals;");
+    for (const std::string& line : lines) code_.line(line);
     code_.line("}");
   }
 

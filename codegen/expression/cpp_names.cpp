@@ -130,6 +130,8 @@ std::string safe_identifier(const std::string& symbol) {
                                                "coefficient",
                                                "coefficients",
                                                "by_coefficient",
+                                               "by_conjugate",
+                                               "slopes",
                                                "by",
                                                "Number",
                                                "NumberList",

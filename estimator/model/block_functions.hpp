@@ -29,21 +29,15 @@ struct NumberList {
   Number number[count];
 };
 
-/// Factors of varying blocks are made for so many observations at once, as a table [factor][observation].
+/// Factors of blocks that vary are made for so many observations at once, as a table [factor][observation].
 inline constexpr std::size_t factors_at_once = 64;
 
 struct BlockFunctions {
-  std::size_t modes = 0, excitations = 0, columns = 0, factors_count = 0;
-  bool varies = false;
-  /// Factors of the first `count` observations from their excitation frequencies: [factor], of a block that varies
-  /// the table.
-  void (*factors)(const double* natural_frequency, const double* const* excitation_frequency, std::size_t count,
-                  double* factor) = nullptr;
+  std::size_t modes = 0, excitations = 0, columns_count = 0;
+  /// columns[j][observation] of `data`; arrays overlap neither one another nor the data.
+  void (*columns)(const BatchArrays& data, double* const* columns) = nullptr;
   /// Their derivatives by the natural frequency of a mode; none: they are zero.
-  void (*factor_slopes)(const double* natural_frequency, const double* const* excitation_frequency,
-                        std::size_t count, std::size_t mode, double* factor) = nullptr;
-  /// columns[j][observation] of `data` with these factors; arrays overlap neither one another nor the data.
-  void (*multiply)(const BatchArrays& data, const double* factor, double* const* columns) = nullptr;
+  void (*column_slopes)(const BatchArrays& data, std::size_t mode, double* const* columns) = nullptr;
   /// rate = sum of lump[j] * column j at one point: real and imaginary part. Of modulation blocks.
   void (*rate)(const double* lump, const BatchArrays& point, double* rate) = nullptr;
   /// Its derivatives by Cartesian amplitudes, [2][2 * modes].
@@ -55,20 +49,49 @@ template <class Model, class Block>
 struct BlockCode {
   static constexpr std::size_t modes = Model::modes, excitations = Model::excitations;
 
+  static void columns(const BatchArrays& data, double* const* columns) { fill(data, columns, factors); }
+
+  static void column_slopes(const BatchArrays& data, std::size_t mode, double* const* columns) {
+    fill(data, columns,
+         [mode](const double* natural, const double* const* excitation, std::size_t count, double* factor) {
+           factor_slopes(natural, excitation, count, mode, factor);
+         });
+  }
+
+  // Columns with the factors that make(natural frequencies, excitation frequencies, count, factors) gives.
+  template <class Make>
+  static void fill(const BatchArrays& data, double* const* columns, const Make& make) {
+    if constexpr (Block::varies) {
+      double factor[Block::factors_count * factors_at_once];
+      const double *amplitude[modes], *forcing[excitations], *excitation[excitations];
+      double* column[Block::columns];
+      for (std::size_t first = 0; first < data.count; first += factors_at_once) {
+        const std::size_t rest = data.count - first, count = rest < factors_at_once ? rest : factors_at_once;
+        for (std::size_t k = 0; k < modes; ++k) amplitude[k] = data.amplitude[k] + 2 * first;
+        for (std::size_t j = 0; j < excitations; ++j) {
+          if constexpr (Block::forced) forcing[j] = data.forcing[j] + 2 * first;
+          excitation[j] = data.excitation_frequency[j] + first;
+        }
+        for (std::size_t j = 0; j < Block::columns; ++j) column[j] = columns[j] + 2 * first;
+        make(data.natural_frequency, excitation, count, factor);
+        multiply({count, data.natural_frequency, excitation, amplitude, forcing}, factor, column);
+      }
+    } else {
+      double factor[Block::factors_count];
+      make(data.natural_frequency, data.excitation_frequency, 1, factor);
+      multiply(data, factor, columns);
+    }
+  }
+
   static void factors(const double* natural_frequency, const double* const* excitation_frequency,
                       [[maybe_unused]] std::size_t count, double* factor) {
     if constexpr (Block::varies) {
       PairNumber natural[modes], excitation[excitations];
       for (std::size_t k = 0; k < modes; ++k) natural[k] = natural_frequency[k];
       for (std::size_t i = 0; i < count; i += 2) {
-        const std::size_t next = i + 1 < count ? i + 1 : i;
-        for (std::size_t j = 0; j < excitations; ++j)
-          excitation[j] = PairNumber(excitation_frequency[j][i], excitation_frequency[j][next]);
+        const std::size_t next = load_pairs(excitation_frequency, i, count, excitation);
         const auto list = Block::factors(typename Model::template Frequencies<PairNumber>(natural, excitation));
-        for (std::size_t t = 0; t < Block::factors_count; ++t) {
-          factor[t * factors_at_once + i] = list.number[t][0];
-          factor[t * factors_at_once + next] = list.number[t][next - i];
-        }
+        for (std::size_t t = 0; t < Block::factors_count; ++t) store_pair(list.number[t], i, next, t, factor);
       }
     } else {
       const double excitation[excitations + 1] = {};
@@ -79,19 +102,37 @@ struct BlockCode {
 
   static void factor_slopes(const double* natural_frequency, const double* const* excitation_frequency,
                             std::size_t count, std::size_t mode, double* factor) {
-    using Dual = DualNumber<1>;
+    using Dual = DualNumber<PairNumber>;
+    PairNumber pairs[excitations + 1];
     Dual natural[modes], excitation[excitations + 1];
     for (std::size_t k = 0; k < modes; ++k) natural[k] = natural_frequency[k];
-    natural[mode].slope[0] = 1;
-    for (std::size_t i = 0; i < (Block::varies ? count : 1); ++i) {
-      for (std::size_t j = 0; j < excitations && Block::varies; ++j) excitation[j] = excitation_frequency[j][i];
+    natural[mode].slope = 1.0;
+    for (std::size_t i = 0; i < (Block::varies ? count : 1); i += 2) {
+      std::size_t next = i;
+      if constexpr (Block::varies) {
+        next = load_pairs(excitation_frequency, i, count, pairs);
+        for (std::size_t j = 0; j < excitations; ++j) excitation[j].value = pairs[j];
+      }
       const auto list = Block::factors(typename Model::template Frequencies<Dual>(natural, excitation));
-      for (std::size_t t = 0; t < Block::factors_count; ++t)
-        factor[Block::varies ? t * factors_at_once + i : t] = list.number[t].slope[0];
+      for (std::size_t t = 0; t < Block::factors_count; ++t) store_pair(list.number[t].slope, i, next, t, factor);
     }
   }
 
-  static void multiply(const BatchArrays& data, const double* factor, double* const* columns) {
+  // Of observations i and the next, which it gives: i itself where it is the last one.
+  static std::size_t load_pairs(const double* const* excitation_frequency, std::size_t i, std::size_t count,
+                                PairNumber* excitation) {
+    const std::size_t next = i + 1 < count ? i + 1 : i;
+    for (std::size_t j = 0; j < excitations; ++j)
+      excitation[j] = PairNumber(excitation_frequency[j][i], excitation_frequency[j][next]);
+    return next;
+  }
+  static void store_pair(PairNumber value, std::size_t i, std::size_t next, std::size_t t, double* factor) {
+    constexpr std::size_t width = Block::varies ? factors_at_once : 1;
+    factor[t * width + i] = value[0];
+    factor[t * width + next] = value[next - i];
+  }
+
+  [[gnu::noinline]] static void multiply(const BatchArrays& data, const double* factor, double* const* columns) {
     using Complex = ComplexNumber<Pair>;
     // Own copies: what is stored could else be taken for them.
     const double *amplitude[modes], *forcing[excitations + 1];
@@ -100,7 +141,7 @@ struct BlockCode {
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < modes; ++k) amplitude[k] = data.amplitude[k];
 #pragma GCC unroll 8
-    for (std::size_t j = 0; j < excitations; ++j) forcing[j] = data.forcing[j];
+    for (std::size_t j = 0; j < excitations && Block::forced; ++j) forcing[j] = data.forcing[j];
 #pragma GCC unroll 64
     for (std::size_t j = 0; j < Block::columns; ++j) column[j] = columns[j];
 #pragma GCC unroll 64
@@ -126,52 +167,56 @@ struct BlockCode {
   }
 
   static void rate(const double* lump, const BatchArrays& point, double* result) {
-    ComplexNumber<double> a[modes];
-    for (std::size_t k = 0; k < modes; ++k) a[k] = load_complex(point.amplitude[k], 0);
-    const ComplexNumber<double> sum = weighted(lump, point, a);
+    ComplexNumber<double> value[Block::columns], sum;
+    const PointValues at(point);
+    Block::row(at.signals, at.factor, value);
+    for (std::size_t j = 0; j < Block::columns; ++j) sum = sum + lump[j] * value[j];
     result[0] = sum.real;
     result[1] = sum.imag;
   }
 
+  // With a function f of B and conj(B): d/dRe(B) = df/dB + df/dconj(B), d/dIm(B) = i*(df/dB - df/dconj(B)).
   static void rate_by_amplitude(const double* lump, const BatchArrays& point, double* slopes) {
-    using Dual = DualNumber<2 * modes>;
-    ComplexNumber<Dual> a[modes];
-    for (std::size_t k = 0; k < modes; ++k)
-      a[k] = ComplexNumber<Dual>(Dual::variable(point.amplitude[k][0], 2 * k),
-                                 Dual::variable(point.amplitude[k][1], 2 * k + 1));
-    const ComplexNumber<Dual> sum = weighted(lump, point, a);
-    for (std::size_t z = 0; z < 2 * modes; ++z) {
-      slopes[z] = sum.real.slope[z];
-      slopes[2 * modes + z] = sum.imag.slope[z];
+    ComplexNumber<double> by[modes], by_conjugate[modes];
+    const PointValues at(point);
+    Block::slopes(at.signals, at.factor, lump, by, by_conjugate);
+    for (std::size_t k = 0; k < modes; ++k) {
+      const ComplexNumber<double> sum = by[k] + by_conjugate[k], difference = by[k] - by_conjugate[k];
+      slopes[2 * k] = sum.real;
+      slopes[2 * k + 1] = -difference.imag;
+      slopes[2 * modes + 2 * k] = sum.imag;
+      slopes[2 * modes + 2 * k + 1] = difference.real;
     }
   }
 
-  // Sum of lump * column at one point with these amplitudes.
-  template <class Number>
-  static ComplexNumber<Number> weighted(const double* lump, const BatchArrays& point,
-                                        const ComplexNumber<Number>* a) {
-    using Complex = ComplexNumber<Number>;
-    Complex f[excitations + 1], value[Block::columns], sum;
-    if constexpr (Block::forced)
-      for (std::size_t j = 0; j < excitations; ++j) f[j] = Complex(point.forcing[j][0], point.forcing[j][1]);
-    double table[Block::factors_count * factors_at_once], factor[Block::factors_count];
-    factors(point.natural_frequency, point.excitation_frequency, 1, table);
-    for (std::size_t t = 0; t < Block::factors_count; ++t)
-      factor[t] = table[Block::varies ? t * factors_at_once : t];
-    Block::row(typename Model::template Signals<Number>(a, f), factor, value);
-    for (std::size_t j = 0; j < Block::columns; ++j) sum = sum + lump[j] * value[j];
-    return sum;
-  }
+  // Signals and factors at one point.
+  struct PointValues {
+    typename Model::template Signals<double> signals;
+    double factor[Block::factors_count];
+
+    explicit PointValues(const BatchArrays& point) : signals(signals_of(point)) {
+      double excitation[excitations + 1];
+      for (std::size_t j = 0; j < excitations; ++j) excitation[j] = point.excitation_frequency[j][0];
+      const auto list =
+          Block::factors(typename Model::template Frequencies<double>(point.natural_frequency, excitation));
+      for (std::size_t t = 0; t < Block::factors_count; ++t) factor[t] = list.number[t];
+    }
+    static typename Model::template Signals<double> signals_of(const BatchArrays& point) {
+      ComplexNumber<double> a[modes], f[excitations + 1];
+      for (std::size_t k = 0; k < modes; ++k) a[k] = load_complex(point.amplitude[k], 0);
+      if constexpr (Block::forced)
+        for (std::size_t j = 0; j < excitations; ++j) f[j] = load_complex(point.forcing[j], 0);
+      return {a, f};
+    }
+  };
 };
 
 /// A block of harmonics.
 template <class Model, class Block>
 constexpr BlockFunctions harmonic_functions() {
   using Code = BlockCode<Model, Block>;
-  BlockFunctions functions{Model::modes,         Model::excitations, Block::columns,
-                           Block::factors_count, Block::varies,      Code::factors};
-  if constexpr (Block::moves_with_modes) functions.factor_slopes = Code::factor_slopes;
-  functions.multiply = Code::multiply;
+  BlockFunctions functions{Model::modes, Model::excitations, Block::columns, Code::columns};
+  if constexpr (Block::moves_with_modes) functions.column_slopes = Code::column_slopes;
   return functions;
 }
 

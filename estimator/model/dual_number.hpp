@@ -1,66 +1,36 @@
 #pragma once
 
-#include <cstddef>
-
-#include "estimator/model/scalar_functions.hpp"
-
 namespace secular {
 
-/// value + sum of slope[d]*e_d with e_d*e_c = 0: arithmetic carries derivatives along in that many directions,
-/// exact up to rounding.
-template <std::size_t directions>
+/// value + slope*e with e*e = 0, over any numbers: arithmetic carries a derivative along, exact up to rounding.
+template <class Number>
 struct DualNumber {
-  double value = 0, slope[directions] = {};
+  Number value = 0.0, slope = 0.0;
 
-  constexpr DualNumber() = default;
-  constexpr DualNumber(double v) : value(v) {}  // NOLINT: a number is one that does not change
-  static constexpr DualNumber variable(double v, std::size_t direction) {
-    DualNumber x(v);
-    x.slope[direction] = 1;
-    return x;
-  }
+  DualNumber() = default;
+  DualNumber(double v) : value(v) {}  // NOLINT: a number is one that does not change
+  DualNumber(Number v, Number s) : value(v), slope(s) {}
 
-  friend constexpr bool operator==(const DualNumber&, const DualNumber&) = default;
-  friend constexpr DualNumber operator+(const DualNumber& a, const DualNumber& b) {
-    DualNumber sum(a.value + b.value);
-    for (std::size_t d = 0; d < directions; ++d) sum.slope[d] = a.slope[d] + b.slope[d];
-    return sum;
+  friend DualNumber operator+(const DualNumber& a, const DualNumber& b) {
+    return {a.value + b.value, a.slope + b.slope};
   }
-  friend constexpr DualNumber operator-(const DualNumber& a, const DualNumber& b) {
-    DualNumber difference(a.value - b.value);
-    for (std::size_t d = 0; d < directions; ++d) difference.slope[d] = a.slope[d] - b.slope[d];
-    return difference;
+  friend DualNumber operator-(const DualNumber& a, const DualNumber& b) {
+    return {a.value - b.value, a.slope - b.slope};
   }
-  friend constexpr DualNumber operator-(const DualNumber& a) { return -1.0 * a; }
-  friend constexpr DualNumber operator*(const DualNumber& a, const DualNumber& b) {
-    DualNumber product(a.value * b.value);
-    for (std::size_t d = 0; d < directions; ++d) product.slope[d] = a.slope[d] * b.value + a.value * b.slope[d];
-    return product;
+  friend DualNumber operator-(const DualNumber& a) { return {-a.value, -a.slope}; }
+  friend DualNumber operator*(const DualNumber& a, const DualNumber& b) {
+    return {a.value * b.value, a.slope * b.value + a.value * b.slope};
   }
-  friend constexpr DualNumber operator*(double a, const DualNumber& b) {
-    DualNumber product(a * b.value);
-    for (std::size_t d = 0; d < directions; ++d) product.slope[d] = a * b.slope[d];
-    return product;
+  friend DualNumber operator*(double a, const DualNumber& b) { return {a * b.value, a * b.slope}; }
+  friend DualNumber operator/(const DualNumber& a, const DualNumber& b) {
+    const Number inverse = 1.0 / b.value, quotient = a.value / b.value;
+    return {quotient, (a.slope - quotient * b.slope) * inverse};
   }
-  friend constexpr DualNumber operator/(const DualNumber& a, const DualNumber& b) {
-    DualNumber quotient(a.value / b.value);
-    for (std::size_t d = 0; d < directions; ++d)
-      quotient.slope[d] = (a.slope[d] - quotient.value * b.slope[d]) / b.value;
-    return quotient;
+  friend DualNumber operator/(const DualNumber& a, double b) { return {a.value / b, a.slope / b}; }
+  friend DualNumber operator/(double a, const DualNumber& b) {
+    const Number inverse = 1.0 / b.value, quotient = a / b.value;
+    return {quotient, -(quotient * inverse) * b.slope};
   }
 };
-
-template <std::size_t directions>
-double real_part(const DualNumber<directions>& x) {
-  return x.value;
-}
-/// At zero, where the root has no derivative, the slopes are zero.
-template <std::size_t directions>
-DualNumber<directions> sqrt(const DualNumber<directions>& x) {
-  DualNumber<directions> root(root_of(x.value));
-  const double rate = inverse_or_zero(2 * root.value);
-  for (std::size_t d = 0; d < directions; ++d) root.slope[d] = rate * x.slope[d];
-  return root;
-}
 
 }  // namespace secular

@@ -49,62 +49,43 @@ inline double* parts_of(std::complex<double>* values) {
   return reinterpret_cast<double*>(values);
 }
 
-/// A batch and the columns made of it as plain arrays, in parts.
+/// A batch and the columns made of it as plain arrays.
 class PlainBatch {
  public:
   PlainBatch(const BlockFunctions& block, const ObservationBatch& data, std::complex<double>* const* values)
-      : block_(block),
-        data_(data),
-        values_(values),
-        amplitude_(block.modes),
-        forcing_(block.excitations),
-        excitation_(block.excitations),
-        columns_(block.columns),
-        factors_(block.factors_count * (block.varies ? factors_at_once : 1)) {}
-
-  /// Columns with the factors that make(natural frequencies, excitation frequencies, count, factors) gives.
-  template <class Make>
-  void fill(const Make& make) {
-    const std::size_t at_once = block_.varies ? factors_at_once : data_.count;
-    for (std::size_t first = 0; first < data_.count; first += at_once) {
-      const std::size_t count = std::min(at_once, data_.count - first);
-      for (std::size_t k = 0; k < block_.modes; ++k) amplitude_[k] = parts_of(data_.amplitude[k] + first);
-      for (std::size_t j = 0; j < block_.excitations; ++j) {
-        if (data_.forcing != nullptr) forcing_[j] = parts_of(data_.forcing[j] + first);
-        if (block_.varies) excitation_[j] = data_.excitation_frequency[j] + first;
-      }
-      for (std::size_t j = 0; j < block_.columns; ++j) columns_[j] = parts_of(values_[j] + first);
-      make(data_.natural_frequency, excitation_.data(), count, factors_.data());
-      block_.multiply({count, data_.natural_frequency, excitation_.data(), amplitude_.data(), forcing_.data()},
-                      factors_.data(), columns_.data());
-    }
+      : amplitude_(block.modes), forcing_(block.excitations), columns_(block.columns_count) {
+    for (std::size_t k = 0; k < block.modes; ++k) amplitude_[k] = parts_of(data.amplitude[k]);
+    for (std::size_t j = 0; j < block.excitations && data.forcing != nullptr; ++j)
+      forcing_[j] = parts_of(data.forcing[j]);
+    for (std::size_t j = 0; j < block.columns_count; ++j) columns_[j] = parts_of(values[j]);
+    batch_ = {data.count, data.natural_frequency, data.excitation_frequency, amplitude_.data(), forcing_.data()};
   }
 
+  const BatchArrays& data() const { return batch_; }
+  double* const* columns() { return columns_.data(); }
+
  private:
-  const BlockFunctions& block_;
-  const ObservationBatch& data_;
-  std::complex<double>* const* values_;
-  CallValues<const double*> amplitude_, forcing_, excitation_;
+  CallValues<const double*> amplitude_, forcing_;
   CallValues<double*> columns_;
-  CallValues<double> factors_;
+  BatchArrays batch_;
 };
 
 inline void call_rows(const void* block, const ObservationBatch& data, std::complex<double>* const* columns) {
   const auto& functions = *static_cast<const BlockFunctions*>(block);
-  PlainBatch(functions, data, columns).fill(functions.factors);
+  PlainBatch batch(functions, data, columns);
+  functions.columns(batch.data(), batch.columns());
 }
 
 inline void call_slopes(const void* block, const ObservationBatch& data, std::size_t mode,
                         std::complex<double>* const* columns) {
   const auto& functions = *static_cast<const BlockFunctions*>(block);
-  if (functions.factor_slopes == nullptr) {
-    for (std::size_t j = 0; j < functions.columns; ++j) std::fill_n(columns[j], data.count, std::complex<double>());
+  if (functions.column_slopes == nullptr) {
+    for (std::size_t j = 0; j < functions.columns_count; ++j)
+      std::fill_n(columns[j], data.count, std::complex<double>());
     return;
   }
-  PlainBatch(functions, data, columns)
-      .fill([&](const double* natural, const double* const* excitation, std::size_t count, double* factors) {
-        functions.factor_slopes(natural, excitation, count, mode, factors);
-      });
+  PlainBatch batch(functions, data, columns);
+  functions.column_slopes(batch.data(), mode, batch.columns());
 }
 
 inline void call_lumps(const void* data, const double* parameters, double* lumps) {
@@ -137,7 +118,11 @@ class ModulationPoint {
       forcings_[j] = parts_of(forcing + j);
       excitations_[j] = excitation_frequency + j;
     }
-    call_lumps(&resonance, parameters, lumps_.data());
+    std::size_t wanted = 0;  // a case's lumps stand in the order of its blocks, those of motions first
+    for (const RegressorBlock& block : resonance.blocks)
+      for (const int lump : block.lumps)
+        if (block.kind == BlockKind::modulation) wanted = std::max(wanted, static_cast<std::size_t>(lump) + 1);
+    if (wanted != 0) resonance.functions->values(parameters, resonance.lumps.data(), wanted, lumps_.data());
     point_ = {1, parameters, excitations_.data(), amplitudes_.data(), forcings_.data()};
   }
 
