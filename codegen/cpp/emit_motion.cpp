@@ -176,13 +176,22 @@ void coefficient_slopes(Emitter& emitter, const std::vector<RationalFunction>& l
   std::vector<std::string> lines;
   for (std::size_t n = 0; n < list.size(); ++n)
     for (const LumpGradient::Entry& entry : lump_gradient(model, list[n]).entries)
-      lines.push_back(fmt::format("slope[{}] += by[{}] * ({});  // by {}", entry.parameter, n,
-                                  writer.expression(entry.rate), model.parameters[entry.parameter]));
-  emitter.code.comment("slope[p] += sum of by[n] * d coefficient[n] / d parameters[p].");
+      lines.push_back(fmt::format("add({}, {}, {});  // by {}", entry.parameter, n, writer.expression(entry.rate),
+                                  model.parameters[entry.parameter]));
+  const std::size_t parameters = model.parameters.size(), coefficients = list.size();
+  emitter.code.comment(fmt::format(
+      "slope[i * {} + p] += sum of by[i * {} + c] * d coefficient[c] / d parameters[p], of every equation i.",
+      parameters, coefficients));
   emitter.code.line("template <class Scalar, class Parameter>");
   emitter.code.line("void add_coefficient_slopes(const Parameter* parameters, const Scalar* by, Scalar* slope) {");
   emitter.unpack(writer.used_symbols());
   emitter.definitions(writer.definitions());
+  emitter.code.line(
+      "const auto add = [by, slope](std::size_t parameter, std::size_t coefficient, const Scalar& rate) {");
+  emitter.code.line(fmt::format(
+      "for (std::size_t i = 0; i < {}; ++i) slope[i * {} + parameter] += by[i * {} + coefficient] * rate;",
+      model.coordinates.size(), parameters, coefficients));
+  emitter.code.line("};");
   for (const std::string& line : lines) emitter.code.line(line);
   emitter.code.line("}").line();
 }
@@ -401,9 +410,7 @@ class SlopeCode {
       code.comment("Through the coefficients: by_coefficient[k * coefficients + c], then by the chain rule.", "//");
       code.line(fmt::format("Scalar by_coefficient[{}] = {{}};", modes * writer_.numbered()));
       for (const std::string& assignment : by_coefficient_) code.line(assignment);
-      code.line(fmt::format("for (std::size_t k = 0; k < {}; ++k)", modes));
-      code.line(fmt::format("  add_coefficient_slopes(parameters, by_coefficient + k * {}, slope + k * {});",
-                            writer_.numbered(), count));
+      code.line("add_coefficient_slopes(parameters, by_coefficient, slope);");
     }
     solve(emitter_, "slope", count, writer_.uses_numbered());
     code.line("}").line();
