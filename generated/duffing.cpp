@@ -1,4 +1,5 @@
-// Model duffing: tables. Made by: secular generate duffing. Never edited by hand.
+// Model duffing: generated code, never edited by hand.
+// Holds tables. Made by: secular generate duffing.
 #include "duffing.free.hpp"
 #include "duffing.primary.hpp"
 #include "duffing.superharmonic_3.hpp"

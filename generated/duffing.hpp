@@ -1,5 +1,5 @@
-// Model duffing: equations of motion, lumps, what rows are made of. Made by: secular generate duffing. Never
-// edited by hand.
+// Model duffing: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate duffing.
 // Source: Duffing oscillator with a quadratic term
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // duffing.free.hpp: free vibration

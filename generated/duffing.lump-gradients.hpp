@@ -1,5 +1,5 @@
-// Model duffing: derivatives of the lumps by the parameters. Made by: secular generate duffing. Never edited by
-// hand.
+// Model duffing: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate duffing.
 #pragma once
 
 #include "duffing.hpp"

@@ -1,4 +1,5 @@
-// Model duffing: rows of the case subharmonic_3. Made by: secular generate duffing. Never edited by hand.
+// Model duffing: generated code, never edited by hand.
+// Holds rows of the case subharmonic_3. Made by: secular generate duffing.
 // Omega = 3*omega0 + eps*sigma, multiple scales to eps^1. Valid near that resonance for small amplitudes; what
 // is left out is of order eps^2.
 #pragma once

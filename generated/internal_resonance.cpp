@@ -1,4 +1,5 @@
-// Model internal_resonance: tables. Made by: secular generate internal_resonance. Never edited by hand.
+// Model internal_resonance: generated code, never edited by hand.
+// Holds tables. Made by: secular generate internal_resonance.
 #include "internal_resonance.one_to_one.hpp"
 #include "internal_resonance.one_to_two.hpp"
 #include "internal_resonance.one_to_three.hpp"

@@ -1,5 +1,5 @@
-// Model internal_resonance: rows of the case free_one_to_two. Made by: secular generate internal_resonance.
-// Never edited by hand.
+// Model internal_resonance: generated code, never edited by hand.
+// Holds rows of the case free_one_to_two. Made by: secular generate internal_resonance.
 // omega2 = 2*omega1 + eps*sigma1, multiple scales to eps^2. Valid near that resonance for small amplitudes;
 // what is left out is of order eps^3.
 #pragma once

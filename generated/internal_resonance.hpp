@@ -1,5 +1,5 @@
-// Model internal_resonance: equations of motion, lumps, what rows are made of. Made by: secular generate
-// internal_resonance. Never edited by hand.
+// Model internal_resonance: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate internal_resonance.
 // Source: Two coupled modes with a potential of fourth degree
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // internal_resonance.one_to_one.hpp: omega2 = omega1 + eps^2*sigma1; Omega = omega1 + eps^2*sigma2

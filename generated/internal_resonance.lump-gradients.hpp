@@ -1,5 +1,5 @@
-// Model internal_resonance: derivatives of the lumps by the parameters. Made by: secular generate
-// internal_resonance. Never edited by hand.
+// Model internal_resonance: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate internal_resonance.
 #pragma once
 
 #include "internal_resonance.hpp"

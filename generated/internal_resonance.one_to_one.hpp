@@ -1,5 +1,5 @@
-// Model internal_resonance: rows of the case one_to_one. Made by: secular generate internal_resonance. Never
-// edited by hand.
+// Model internal_resonance: generated code, never edited by hand.
+// Holds rows of the case one_to_one. Made by: secular generate internal_resonance.
 // omega2 = omega1 + eps^2*sigma1; Omega = omega1 + eps^2*sigma2, multiple scales to eps^2. Valid near that
 // resonance for small amplitudes; what is left out is of order eps^3.
 #pragma once

@@ -1,4 +1,5 @@
-// Model mathieu_duffing: tables. Made by: secular generate mathieu_duffing. Never edited by hand.
+// Model mathieu_duffing: generated code, never edited by hand.
+// Holds tables. Made by: secular generate mathieu_duffing.
 #include "mathieu_duffing.principal.hpp"
 #include "mathieu_duffing.fundamental.hpp"
 #include "mathieu_duffing.lump-gradients.hpp"

@@ -1,5 +1,5 @@
-// Model mathieu_duffing: rows of the case fundamental. Made by: secular generate mathieu_duffing. Never edited
-// by hand.
+// Model mathieu_duffing: generated code, never edited by hand.
+// Holds rows of the case fundamental. Made by: secular generate mathieu_duffing.
 // Omega = omega0 + eps^2*sigma, multiple scales to eps^2. Valid near that resonance for small amplitudes; what
 // is left out is of order eps^3.
 #pragma once

@@ -1,5 +1,5 @@
-// Model mathieu_duffing: equations of motion, lumps, what rows are made of. Made by: secular generate
-// mathieu_duffing. Never edited by hand.
+// Model mathieu_duffing: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate mathieu_duffing.
 // Source: E. Mathieu, Journal de Mathematiques 13, 137 (1868), with a cubic term
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // mathieu_duffing.principal.hpp: Omega = 2*omega0 + eps*sigma

@@ -1,5 +1,5 @@
-// Model mathieu_duffing: derivatives of the lumps by the parameters. Made by: secular generate mathieu_duffing.
-// Never edited by hand.
+// Model mathieu_duffing: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate mathieu_duffing.
 #pragma once
 
 #include "mathieu_duffing.hpp"

@@ -1,4 +1,5 @@
-// Model parametric_pair: tables. Made by: secular generate parametric_pair. Never edited by hand.
+// Model parametric_pair: generated code, never edited by hand.
+// Holds tables. Made by: secular generate parametric_pair.
 #include "parametric_pair.additive.hpp"
 #include "parametric_pair.additive_second_order.hpp"
 #include "parametric_pair.difference.hpp"

@@ -1,5 +1,5 @@
-// Model parametric_pair: rows of the case difference. Made by: secular generate parametric_pair. Never edited
-// by hand.
+// Model parametric_pair: generated code, never edited by hand.
+// Holds rows of the case difference. Made by: secular generate parametric_pair.
 // Omega = omega2 - omega1 + eps*sigma, multiple scales to eps^1. Valid near that resonance for small
 // amplitudes; what is left out is of order eps^2.
 #pragma once

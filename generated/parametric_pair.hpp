@@ -1,5 +1,5 @@
-// Model parametric_pair: equations of motion, lumps, what rows are made of. Made by: secular generate
-// parametric_pair. Never edited by hand.
+// Model parametric_pair: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate parametric_pair.
 // Source: Two linear modes with parametric coupling and cubic stiffness
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // parametric_pair.additive.hpp: Omega = omega1 + omega2 + eps*sigma

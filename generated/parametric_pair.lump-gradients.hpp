@@ -1,5 +1,5 @@
-// Model parametric_pair: derivatives of the lumps by the parameters. Made by: secular generate parametric_pair.
-// Never edited by hand.
+// Model parametric_pair: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate parametric_pair.
 #pragma once
 
 #include "parametric_pair.hpp"

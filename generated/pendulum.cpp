@@ -1,4 +1,5 @@
-// Model pendulum: tables. Made by: secular generate pendulum. Never edited by hand.
+// Model pendulum: generated code, never edited by hand.
+// Holds tables. Made by: secular generate pendulum.
 #include "pendulum.free.hpp"
 #include "pendulum.lump-gradients.hpp"
 #include "pendulum.hpp"

@@ -1,4 +1,5 @@
-// Model pendulum: rows of the case free. Made by: secular generate pendulum. Never edited by hand.
+// Model pendulum: generated code, never edited by hand.
+// Holds rows of the case free. Made by: secular generate pendulum.
 // free vibration, multiple scales to eps^2. Valid near that resonance for small amplitudes; what is left out is
 // of order eps^3.
 #pragma once

@@ -1,5 +1,5 @@
-// Model pendulum: equations of motion, lumps, what rows are made of. Made by: secular generate pendulum. Never
-// edited by hand.
+// Model pendulum: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate pendulum.
 // Source: Rigid pendulum; damping laws as in A. H. Nayfeh and D. T. Mook, Nonlinear Oscillations, section 3.3
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // pendulum.free.hpp: free vibration

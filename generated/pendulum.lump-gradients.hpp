@@ -1,5 +1,5 @@
-// Model pendulum: derivatives of the lumps by the parameters. Made by: secular generate pendulum. Never edited
-// by hand.
+// Model pendulum: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate pendulum.
 #pragma once
 
 #include "pendulum.hpp"

@@ -1,5 +1,5 @@
-// Model three_modes: rows of the case additive_combination. Made by: secular generate three_modes. Never edited
-// by hand.
+// Model three_modes: generated code, never edited by hand.
+// Holds rows of the case additive_combination. Made by: secular generate three_modes.
 // Omega = omega1 + omega2 + eps^2*sigma, multiple scales to eps^2. Valid near that resonance for small
 // amplitudes; what is left out is of order eps^3.
 #pragma once

@@ -1,4 +1,5 @@
-// Model three_modes: tables. Made by: secular generate three_modes. Never edited by hand.
+// Model three_modes: generated code, never edited by hand.
+// Holds tables. Made by: secular generate three_modes.
 #include "three_modes.additive_combination.hpp"
 #include "three_modes.free.hpp"
 #include "three_modes.lump-gradients.hpp"

@@ -1,5 +1,5 @@
-// Model three_modes: equations of motion, lumps, what rows are made of. Made by: secular generate three_modes.
-// Never edited by hand.
+// Model three_modes: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate three_modes.
 // Source: Generic; the case of S. O'F. Fahey, dissertation, Virginia Tech, 2000, section 3.2.3, with the third
 // mode kept
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.

@@ -1,5 +1,5 @@
-// Model three_modes: derivatives of the lumps by the parameters. Made by: secular generate three_modes. Never
-// edited by hand.
+// Model three_modes: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate three_modes.
 #pragma once
 
 #include "three_modes.hpp"

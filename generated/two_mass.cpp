@@ -1,4 +1,5 @@
-// Model two_mass: tables. Made by: secular generate two_mass. Never edited by hand.
+// Model two_mass: generated code, never edited by hand.
+// Holds tables. Made by: secular generate two_mass.
 #include "two_mass.primary_1.hpp"
 #include "two_mass.primary_2.hpp"
 #include "two_mass.principal_parametric_1.hpp"

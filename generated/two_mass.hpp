@@ -1,5 +1,5 @@
-// Model two_mass: equations of motion, lumps, what rows are made of. Made by: secular generate two_mass. Never
-// edited by hand.
+// Model two_mass: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate two_mass.
 // Source: S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (6.1)-(6.2)
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // two_mass.primary_1.hpp: Omega = omega1 + eps^2*sigma

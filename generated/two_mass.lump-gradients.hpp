@@ -1,5 +1,5 @@
-// Model two_mass: derivatives of the lumps by the parameters. Made by: secular generate two_mass. Never edited
-// by hand.
+// Model two_mass: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate two_mass.
 #pragma once
 
 #include "two_mass.hpp"

@@ -1,5 +1,5 @@
-// Model two_mass: rows of the case principal_parametric_1. Made by: secular generate two_mass. Never edited by
-// hand.
+// Model two_mass: generated code, never edited by hand.
+// Holds rows of the case principal_parametric_1. Made by: secular generate two_mass.
 // Omega = 2*omega1 + eps^2*sigma, multiple scales to eps^2. Valid near that resonance for small amplitudes;
 // what is left out is of order eps^3.
 #pragma once

@@ -1,4 +1,5 @@
-// Model two_mass_frame: tables. Made by: secular generate two_mass_frame. Never edited by hand.
+// Model two_mass_frame: generated code, never edited by hand.
+// Holds tables. Made by: secular generate two_mass_frame.
 #include "two_mass_frame.principal_parametric_1.hpp"
 #include "two_mass_frame.additive_combination.hpp"
 #include "two_mass_frame.free.hpp"

@@ -1,5 +1,5 @@
-// Model two_mass_frame: equations of motion, lumps, what rows are made of. Made by: secular generate
-// two_mass_frame. Never edited by hand.
+// Model two_mass_frame: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate two_mass_frame.
 // Source: Geometry: S. O'F. Fahey, dissertation, Virginia Tech, 2000, chapter 2; energies derived here
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // two_mass_frame.principal_parametric_1.hpp: Omega = 2*omega1 + eps^2*sigma

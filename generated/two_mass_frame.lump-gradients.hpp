@@ -1,5 +1,5 @@
-// Model two_mass_frame: derivatives of the lumps by the parameters. Made by: secular generate two_mass_frame.
-// Never edited by hand.
+// Model two_mass_frame: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate two_mass_frame.
 #pragma once
 
 #include "two_mass_frame.hpp"

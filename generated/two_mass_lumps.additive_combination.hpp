@@ -1,5 +1,5 @@
-// Model two_mass_lumps: rows of the case additive_combination. Made by: secular generate two_mass_lumps. Never
-// edited by hand.
+// Model two_mass_lumps: generated code, never edited by hand.
+// Holds rows of the case additive_combination. Made by: secular generate two_mass_lumps.
 // Omega = omega1 + omega2 + eps*sigma, multiple scales to eps^1. Valid near that resonance for small
 // amplitudes; what is left out is of order eps^2.
 #pragma once

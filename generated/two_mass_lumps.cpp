@@ -1,4 +1,5 @@
-// Model two_mass_lumps: tables. Made by: secular generate two_mass_lumps. Never edited by hand.
+// Model two_mass_lumps: generated code, never edited by hand.
+// Holds tables. Made by: secular generate two_mass_lumps.
 #include "two_mass_lumps.additive_combination.hpp"
 #include "two_mass_lumps.lump-gradients.hpp"
 #include "two_mass_lumps.hpp"

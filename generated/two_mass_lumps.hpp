@@ -1,5 +1,5 @@
-// Model two_mass_lumps: equations of motion, lumps, what rows are made of. Made by: secular generate
-// two_mass_lumps. Never edited by hand.
+// Model two_mass_lumps: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate two_mass_lumps.
 // Source: S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (6.25)-(6.35)
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // two_mass_lumps.additive_combination.hpp: Omega = omega1 + omega2 + eps*sigma

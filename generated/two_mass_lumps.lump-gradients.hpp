@@ -1,5 +1,5 @@
-// Model two_mass_lumps: derivatives of the lumps by the parameters. Made by: secular generate two_mass_lumps.
-// Never edited by hand.
+// Model two_mass_lumps: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate two_mass_lumps.
 #pragma once
 
 #include "two_mass_lumps.hpp"

@@ -1,4 +1,5 @@
-// Model two_mass_mode1: tables. Made by: secular generate two_mass_mode1. Never edited by hand.
+// Model two_mass_mode1: generated code, never edited by hand.
+// Holds tables. Made by: secular generate two_mass_mode1.
 #include "two_mass_mode1.principal_parametric.hpp"
 #include "two_mass_mode1.free.hpp"
 #include "two_mass_mode1.primary.hpp"

@@ -1,5 +1,5 @@
-// Model two_mass_mode1: equations of motion, lumps, what rows are made of. Made by: secular generate
-// two_mass_mode1. Never edited by hand.
+// Model two_mass_mode1: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate two_mass_mode1.
 // Source: S. O'F. Fahey, dissertation, Virginia Tech, 2000, Eqs. (5.1)-(5.5)
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // two_mass_mode1.principal_parametric.hpp: Omega = 2*omega0 + eps^2*sigma

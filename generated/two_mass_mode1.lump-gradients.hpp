@@ -1,5 +1,5 @@
-// Model two_mass_mode1: derivatives of the lumps by the parameters. Made by: secular generate two_mass_mode1.
-// Never edited by hand.
+// Model two_mass_mode1: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate two_mass_mode1.
 #pragma once
 
 #include "two_mass_mode1.hpp"

@@ -1,5 +1,5 @@
-// Model two_mass_mode1: rows of the case primary. Made by: secular generate two_mass_mode1. Never edited by
-// hand.
+// Model two_mass_mode1: generated code, never edited by hand.
+// Holds rows of the case primary. Made by: secular generate two_mass_mode1.
 // Omega = omega0 + eps^2*sigma, multiple scales to eps^2. Valid near that resonance for small amplitudes; what
 // is left out is of order eps^3.
 #pragma once

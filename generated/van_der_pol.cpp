@@ -1,4 +1,5 @@
-// Model van_der_pol: tables. Made by: secular generate van_der_pol. Never edited by hand.
+// Model van_der_pol: generated code, never edited by hand.
+// Holds tables. Made by: secular generate van_der_pol.
 #include "van_der_pol.free.hpp"
 #include "van_der_pol.free_third_order.hpp"
 #include "van_der_pol.lump-gradients.hpp"

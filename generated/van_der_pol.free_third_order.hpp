@@ -1,5 +1,5 @@
-// Model van_der_pol: rows of the case free_third_order. Made by: secular generate van_der_pol. Never edited by
-// hand.
+// Model van_der_pol: generated code, never edited by hand.
+// Holds rows of the case free_third_order. Made by: secular generate van_der_pol.
 // no resonance, multiple scales to eps^3. Valid near that resonance for small amplitudes; what is left out is
 // of order eps^4.
 #pragma once

@@ -1,5 +1,5 @@
-// Model van_der_pol: equations of motion, lumps, what rows are made of. Made by: secular generate van_der_pol.
-// Never edited by hand.
+// Model van_der_pol: generated code, never edited by hand.
+// Holds equations of motion, lumps, what rows are made of. Made by: secular generate van_der_pol.
 // Source: B. van der Pol, Philosophical Magazine 2, 978 (1926)
 // Units: SI; frequencies in rad/s; amplitudes as in estimator/model/compiled_model.hpp.
 // van_der_pol.free.hpp: no resonance

@@ -1,5 +1,5 @@
-// Model van_der_pol: derivatives of the lumps by the parameters. Made by: secular generate van_der_pol. Never
-// edited by hand.
+// Model van_der_pol: generated code, never edited by hand.
+// Holds derivatives of the lumps by the parameters. Made by: secular generate van_der_pol.
 #pragma once
 
 #include "van_der_pol.hpp"

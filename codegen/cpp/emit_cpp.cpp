@@ -28,9 +28,8 @@ std::string space_of(const CanonicalModel& model) {
 
 void banner(Emitter& emitter, const std::string& content) {
   const CanonicalModel& model = emitter.model;
-  emitter.code.comment(fmt::format("Model {}: {} Made by: secular generate {}. Never edited by hand.", model.name,
-                                   content, model.name),
-                       "//");
+  emitter.code.comment(fmt::format("Model {}: generated code, never edited by hand.", model.name), "//");
+  emitter.code.comment(fmt::format("Holds {} Made by: secular generate {}.", content, model.name), "//");
 }
 
 void model_banner(Emitter& emitter) {
@@ -241,7 +240,7 @@ std::vector<GeneratedUnit> emit_cpp_units(const CanonicalModel& model) {
   refuse_unsupported(model);
   std::vector<GeneratedUnit> units{{functions_unit(model), true}};
   if (has_lumps(model)) units.push_back({lumps_unit(model), false});
-  units.push_back({table(model, true), false});
+  units.push_back({table(model, true), true});
   return units;
 }
 

@@ -25,7 +25,7 @@ struct GeneratedUnit {
 
 /// The same functions as units that may be compiled at once: NAME_functions.cpp; NAME_lumps.cpp (where there are
 /// lumps), which are much of a model's text and the least of its work; NAME.cpp with the tables, the only one to
-/// include headers that take compilers long.
+/// include headers that take compilers long, and what calls the other two.
 std::vector<GeneratedUnit> emit_cpp_units(const CanonicalModel& model);
 
 /// Throws an InputError for equations of motion that no measured signal can drive: cos(Omega*t) without an

@@ -8,7 +8,8 @@
 #include "estimator/model/pair_number.hpp"
 
 /// Rows of a block, their slopes and its part of the modulation equations, from what is generated of it: `factors`,
-/// which are functions of the frequencies, and `row`, whose columns are linear in them.
+/// which are functions of the frequencies, `row`, whose columns are linear in them, and of modulation equations
+/// `slopes`, the derivatives of the sum of lumps times columns by the amplitudes and by their conjugates.
 namespace secular {
 
 /// What a block may depend on: its factors on natural frequencies and on those of excitations, its rows on

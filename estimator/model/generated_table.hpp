@@ -1,10 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string_view>
 
@@ -25,20 +23,24 @@ struct GeneratedCase {
   std::span<const bool> mode_at_rest;
 };
 
-/// Values for one call, few of them on the stack.
+/// Values for one call, few of them on the stack. (Own models are compiled when they are used: <memory> and
+/// <algorithm> would take a third of the time that this takes.)
 template <class Value>
 class CallValues {
  public:
-  explicit CallValues(std::size_t count) {
-    if (count > few) many_ = std::make_unique<Value[]>(count);
+  explicit CallValues(std::size_t count) : values_(count > few ? new Value[count] : few_) {}
+  ~CallValues() {
+    if (values_ != few_) delete[] values_;
   }
-  Value* data() { return many_ ? many_.get() : few_; }
-  Value& operator[](std::size_t i) { return data()[i]; }
+  CallValues(const CallValues&) = delete;
+  CallValues& operator=(const CallValues&) = delete;
+  Value* data() { return values_; }
+  Value& operator[](std::size_t i) { return values_[i]; }
 
  private:
   static constexpr std::size_t few = 32;
   Value few_[few];
-  std::unique_ptr<Value[]> many_;
+  Value* values_;
 };
 
 /// Arrays of complex numbers as pairs of real and imaginary parts: what the standard allows for std::complex.
@@ -81,7 +83,7 @@ inline void call_slopes(const void* block, const ObservationBatch& data, std::si
   const auto& functions = *static_cast<const BlockFunctions*>(block);
   if (functions.column_slopes == nullptr) {
     for (std::size_t j = 0; j < functions.columns_count; ++j)
-      std::fill_n(columns[j], data.count, std::complex<double>());
+      for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0.0;
     return;
   }
   PlainBatch batch(functions, data, columns);
@@ -121,7 +123,9 @@ class ModulationPoint {
     std::size_t wanted = 0;  // a case's lumps stand in the order of its blocks, those of motions first
     for (const RegressorBlock& block : resonance.blocks)
       for (const int lump : block.lumps)
-        if (block.kind == BlockKind::modulation) wanted = std::max(wanted, static_cast<std::size_t>(lump) + 1);
+        if (const auto count = static_cast<std::size_t>(lump) + 1;
+            block.kind == BlockKind::modulation && count > wanted)
+          wanted = count;
     if (wanted != 0) resonance.functions->values(parameters, resonance.lumps.data(), wanted, lumps_.data());
     point_ = {1, parameters, excitations_.data(), amplitudes_.data(), forcings_.data()};
   }
@@ -184,7 +188,7 @@ inline void call_modulation_jacobian(const void* data, const double* parameters,
   const auto& resonance = *static_cast<const GeneratedCase*>(data);
   ModulationPoint at(resonance, parameters, excitation_frequency, amplitude, forcing);
   const std::size_t modes = resonance.mode_at_rest.size(), width = 2 * modes;
-  std::fill_n(jacobian, width * width, 0.0);
+  for (std::size_t i = 0; i < width * width; ++i) jacobian[i] = 0;
   at.each_block([&](std::size_t k, const BlockFunctions& block, const double* lumps, const BatchArrays& point) {
     block.rate_by_amplitude(lumps, point, jacobian + 2 * k * width);
   });
