@@ -32,23 +32,51 @@ foreach(library IN LISTS secular_libraries)
   target_compile_features(${library} INTERFACE cxx_std_20)
 endforeach()
 
+# Two packages (cpack): the program, and what another project builds with.
+set(program COMPONENT program)
+set(development COMPONENT development)
+
 install(TARGETS ${secular_libraries} EXPORT secularTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${development}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular)
 foreach(folder effects input numerics perturb codegen generated measure estimator motion thesis report)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular
-    FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular ${development}
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "estimator/model" EXCLUDE)
 endforeach()
+# The program compiles what it generates with these.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/estimator/model DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/secular/estimator
+  ${program} FILES_MATCHING PATTERN "*.hpp")
 if(TARGET secular)
-  install(TARGETS secular EXPORT secularTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS secular EXPORT secularTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} ${program})
+  if(NOT CMAKE_CROSSCOMPILING)
+    # What the program says of itself, for `man` and for shells that complete command lines.
+    install(CODE "
+      set(share \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\")
+      set(manual \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+      set(bash bash-completion/completions)
+      set(zsh zsh/vendor-completions)
+      set(fish fish/vendor_completions.d)
+      set(bash_name secular)
+      set(zsh_name _secular)
+      set(fish_name secular.fish)
+      foreach(shell bash zsh fish)
+        file(MAKE_DIRECTORY \${share}/\${\${shell}})
+        execute_process(COMMAND $<TARGET_FILE:secular> help --completion \${shell}
+          OUTPUT_FILE \${share}/\${\${shell}}/\${\${shell}_name} COMMAND_ERROR_IS_FATAL ANY)
+      endforeach()
+      file(MAKE_DIRECTORY \${manual})
+      execute_process(COMMAND $<TARGET_FILE:secular> help --manual
+        OUTPUT_FILE \${manual}/secular.1 COMMAND_ERROR_IS_FATAL ANY)" ${program})
+  endif()
 endif()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/secular)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/secular ${program})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} ${program})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} ${program})
 
 set(secular_config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/secular)
-install(EXPORT secularTargets NAMESPACE secular:: DESTINATION ${secular_config_folder})
+install(EXPORT secularTargets NAMESPACE secular:: DESTINATION ${secular_config_folder} ${development})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/secularConfig.cmake.in
   ${PROJECT_BINARY_DIR}/secularConfig.cmake INSTALL_DESTINATION ${secular_config_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/secularConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/secularConfig.cmake ${PROJECT_BINARY_DIR}/secularConfigVersion.cmake
-  DESTINATION ${secular_config_folder})
+  DESTINATION ${secular_config_folder} ${development})

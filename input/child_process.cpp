@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "input/interruption.hpp"
+#include "input/stop_request.hpp"
 
 namespace secular {
 namespace {
@@ -147,10 +148,11 @@ class StartedChild {
   bool known_ = false;
 };
 
-// Status of waitpid, or nothing: it cannot be waited for.
+// Status of waitpid, or nothing: it cannot be waited for. Throws Stopped.
 std::optional<int> wait_for(pid_t child, double limit_s, ProcessEnd& end) {
   int status = 0;
-  if (!(limit_s > 0)) {
+  const std::atomic<bool>* const stop = StopScope::current();
+  if (!(limit_s > 0) && !stop) {
     while (waitpid(child, &status, 0) < 0)
       if (errno != EINTR) return std::nullopt;
     return status;
@@ -160,10 +162,15 @@ std::optional<int> wait_for(pid_t child, double limit_s, ProcessEnd& end) {
     const pid_t reaped = waitpid(child, &status, WNOHANG);
     if (reaped == child) return status;
     if (reaped < 0 && errno != EINTR) return std::nullopt;
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() > limit_s &&
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() > limit_s && limit_s > 0 &&
         !end.out_of_time) {
       end.out_of_time = true;
       kill(-child, SIGKILL);
+    }
+    if (stop && *stop) {
+      kill(-child, SIGKILL);
+      waitpid(child, &status, 0);
+      throw Stopped{};
     }
     std::this_thread::sleep_for(pause);
   }
@@ -197,7 +204,7 @@ ProcessEnd run_process(const ChildProcess& process) {
   MemoryFile input, output, errors;
   if (!input.open() || !output.open() || !errors.open() || !input.fill(process.input)) return refused(errno);
   SpawnSettings spawn;
-  if (process.limit_s > 0 || Interruption::is_on()) spawn.own_group();
+  if (process.limit_s > 0 || Interruption::is_on() || StopScope::current()) spawn.own_group();
   spawn.duplicate(input.descriptor(), STDIN_FILENO);
   if (process.log.empty())
     spawn.duplicate(output.descriptor(), STDOUT_FILENO);

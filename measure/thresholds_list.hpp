@@ -19,7 +19,7 @@ inline constexpr std::array measure_threshold_list = {
     Threshold<MeasureThresholds>{
         "disturbance_false_alarm", &MeasureThresholds::disturbance_false_alarm, ThresholdKind::alarm, "probability",
         "a record that holds nothing of a kind is said to hold it", "per campaign and row of the catalogue",
-        "app/shared/scatter_output.cpp, observe/decay_observation.cpp, diagnose/verdict/decay_scatter.cpp, "
+        "jobs/identify/scatter_output.cpp, observe/decay_observation.cpp, diagnose/verdict/decay_scatter.cpp, "
         "diagnose/verdict/told_disturbances.cpp, "
         "data/false_alarm.cpp"},
     Threshold<MeasureThresholds>{"weak_partner", &MeasureThresholds::weak_partner, ThresholdKind::alarm,
@@ -137,7 +137,7 @@ inline constexpr std::array measure_threshold_list = {
         "a frequency is near to another: a dwell to a resonance, a tone to where it is expected, a harmonic to a "
         "mode",
         "detuning that an expansion counts as small",
-        "app/shared/record_assignment.cpp, observe/dwell_observation.cpp, "
+        "jobs/shared/record_assignment.cpp, observe/dwell_observation.cpp, "
         "observe/decay_lines.cpp, observe/decay_observation.cpp, observe/decay_window.cpp, "
         "observe/dwell_resonance.cpp, observe/natural_frequency_starts.cpp, signal/free_decay.cpp"},
     Threshold<MeasureThresholds>{

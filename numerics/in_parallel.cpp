@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "input/stop_request.hpp"
+
 namespace secular {
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
@@ -14,8 +16,10 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
   std::mutex guard;
   std::exception_ptr failure;
   std::size_t failed = count;
+  const std::atomic<bool>* const stop = StopScope::current();
   const auto run = [&] {
     for (std::size_t i = next++; i < count; i = next++) try {
+        end_if_stopped();
         work(i);
       } catch (...) {
         const std::lock_guard lock(guard);
@@ -28,7 +32,11 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
   };
   {
     std::vector<std::jthread> workers;
-    for (unsigned i = 1; i < std::min<std::size_t>(threads, count); ++i) workers.emplace_back(run);
+    for (unsigned i = 1; i < std::min<std::size_t>(threads, count); ++i)
+      workers.emplace_back([&] {
+        const StopScope scope(stop);
+        run();
+      });
     run();
   }
   if (failure) std::rethrow_exception(failure);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "input/stop_request.hpp"
 #include "numerics/unit_scale.hpp"
 
 namespace secular {
@@ -70,6 +71,7 @@ FitReport nonlinear_fit(const ResidualFunction& function, Index residuals, const
     const auto singular = l.svd.singularValues().head(l.rank).array();
     bool moved = false;
     while (damping < 1e10) {
+      end_if_stopped();
       const VectorXd inner = -(singular / (singular.square() + damping)).matrix().cwiseProduct(along);
       const VectorXd step = l.scale.asDiagonal() * (l.svd.matrixV().leftCols(l.rank) * inner);
       const VectorXd candidate = report.parameters + step;

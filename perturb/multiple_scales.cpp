@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "input/stop_request.hpp"
 #include "perturb/derivation.hpp"
 #include "perturb/inverse_sums.hpp"
 #include "perturb/motion_series.hpp"
@@ -86,6 +87,7 @@ class MultipleScales {
     if (order > 0) sum += motion_.coordinate(k, 2)[static_cast<std::size_t>(order)].scaled(-1);
     for (const OrderedTerm& term : equations_[k].right_hand_side) {
       if (term.order > order) continue;
+      end_if_stopped();
       sum += motion_.product(term.factors, order - term.order).scaled(term.coefficient);
     }
     return sum;

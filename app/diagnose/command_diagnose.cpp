@@ -3,22 +3,20 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
-#include <set>
 #include <string>
 #include <thread>
 
-#include "app/diagnose/diagnosis_json.hpp"
-#include "app/diagnose/diagnosis_report.hpp"
-#include "app/diagnose/diagnosis_run.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
-#include "app/shared/disturbance_output.hpp"
-#include "app/shared/left_out.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
-#include "app/shared/record_selection.hpp"
+#include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
+#include "jobs/diagnose/diagnosis_json.hpp"
+#include "jobs/diagnose/diagnosis_report.hpp"
+#include "jobs/diagnose/diagnosis_run.hpp"
+#include "jobs/shared/left_out.hpp"
 #include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
 
@@ -26,6 +24,7 @@ namespace secular::app {
 namespace {
 
 struct DiagnoseArguments {
+  std::string campaign;
   DiagnosisRequest request;
   SelectionOptions selection;
   OutputFolder output{{"diagnosis.json", "report.html", "gap.svg"}};
@@ -122,12 +121,15 @@ int run(DiagnoseArguments& options, const CLI::App& command) {
                      "--check-from must be before --check-to");
   if (options.request.fit_check && !options.request.check_from_s && !options.request.check_to_s)
     throw InputError("--fit-check", "", "has no window", "give --check-from and --check-to");
-  options.output.check({{"the campaign", options.request.campaign, true},
+  options.output.check({{"the campaign", options.campaign, true},
                         {"the model", options.request.model, false},
-                        {"the file of parameters", options.request.parameters, false}});
+                        {"the file of parameters", options.request.parameters_name, false}});
+  if (!options.request.parameters_name.empty())
+    options.request.parameters = read_parameter_file(options.request.parameters_name);
   ProgressLine line("explanations tried (about)");
   options.request.progress = [&line](std::size_t done, std::size_t expected) { line(done, expected); };
-  const DiagnosisRun result = run_diagnosis(options.request);
+  options.request.note = print_note;
+  const DiagnosisRun result = run_diagnosis(options.request, read_campaign(options.campaign));
   const std::string json = diagnosis_json(result);
   const std::string html = diagnosis_report(result, command_line_of(command));
   const std::string figure =
@@ -138,12 +140,8 @@ int run(DiagnoseArguments& options, const CLI::App& command) {
     fmt::print("{}", json);
   else
     print_summary(result, options.output.path());
-  std::set<std::size_t> given;
-  for (std::size_t r = 0; r < result.campaign.records.size(); ++r)
-    if (options.request.window.takes(r, result.campaign.records[r].file)) given.insert(r);
-  const auto lost = mostly_left_out(result.diagnosis.warnings, result.campaign, given, {});
-  if (lost) fmt::print(stderr, "secular: {}\n", *lost);
-  return lost ? 1 : 0;
+  if (result.mostly_left_out) fmt::print(stderr, "secular: {}\n", *result.mostly_left_out);
+  return result.mostly_left_out ? 1 : 0;
 }
 
 }  // namespace
@@ -152,10 +150,10 @@ void add_diagnose_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<DiagnoseArguments>();
   DiagnosisRequest& request = options->request;
   request.threads = std::max(1U, std::thread::hardware_concurrency());
-  command->add_option("CAMPAIGN", request.campaign, "campaign folder")->required();
+  command->add_option("CAMPAIGN", options->campaign, "campaign folder")->required();
   command->add_option("--model", request.model, "model file, or the name of a shipped model")->required();
   options->output.add_to(*command, "folder for diagnosis.json and report.html");
-  command->add_option("--parameters", request.parameters,
+  command->add_option("--parameters", request.parameters_name,
                       "numbers whose gap is diagnosed: an estimate.json or an object of symbol to number");
   options->selection.add_to(*command);
   command->add_option("--check-from", request.check_from_s,

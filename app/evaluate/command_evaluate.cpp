@@ -8,9 +8,9 @@
 
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
-#include "app/shared/number_file.hpp"
-#include "app/shared/shipped_models.hpp"
 #include "codegen/canonical/evaluation.hpp"
+#include "jobs/shared/number_file.hpp"
+#include "jobs/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
 
 namespace secular::app {

@@ -11,10 +11,10 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
-#include "app/shared/shipped_models.hpp"
 #include "codegen/cpp/emit_cpp.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
+#include "jobs/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
 
 namespace secular::app {

@@ -7,37 +7,34 @@
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "app/identify/estimate_json.hpp"
-#include "app/identify/full_equations.hpp"
-#include "app/identify/full_report.hpp"
-#include "app/identify/identification_report.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
-#include "app/shared/disturbance_output.hpp"
-#include "app/shared/identification.hpp"
-#include "app/shared/left_out.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
-#include "app/shared/record_selection.hpp"
-#include "app/shared/scatter_output.hpp"
+#include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
+#include "jobs/identify/estimate_json.hpp"
+#include "jobs/identify/full_equations.hpp"
+#include "jobs/identify/identification.hpp"
+#include "jobs/identify/identification_report.hpp"
+#include "jobs/identify/scatter_output.hpp"
+#include "jobs/shared/left_out.hpp"
 #include "report/number_format.hpp"
 
 namespace secular::app {
 namespace {
 
 struct IdentifyArguments {
+  std::string campaign;
   IdentificationRequest request;
   SelectionOptions selection;
   OutputFolder output{{"estimate.json", "report.html", "response.svg"}};
   std::vector<std::string> fixed;
-  std::optional<Equations> by;
   bool json = false, timings = false;
 };
 
@@ -80,12 +77,12 @@ void print_not_separated(const Estimate& estimate) {
   }
 }
 
-void print_summary(const FullIdentification& run, const std::string& folder) {
+void print_full_summary(const Identification& id, const std::string& folder) {
   const report::PlainNumbers plain(prints_for_programs());
-  const Identification& id = run.of;
+  const FullEstimate& full = *id.full;
   fmt::print("model {}, by the full equations: {}; {} of the samples\n", id.model->name,
-             records_in_words(run.of.campaign, run.full.records), report::format_percent(run.full.data_used));
-  if (run.full.has_converged) {
+             records_in_words(id.campaign, full.records), report::format_percent(full.data_used));
+  if (full.has_converged) {
     const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
     fmt::print("fit of all records: off by {:.3g} times what the measurement repeats to (p = {:.2g}{})\n",
                fit.misfit_ratio, fit.p_value, fit.significant ? ", the model does not hold" : ", nothing wrong");
@@ -138,71 +135,28 @@ void print_summary(const Identification& id, const std::string& folder) {
   fmt::print("written: {0}/estimate.json, {0}/report.html, {0}/response.svg\n", folder);
 }
 
-// Dwells at rest are no lost ones: that nothing moves there is what they say.
-std::optional<std::string> lost_records(const Identification& id, const Window& window) {
-  std::set<std::size_t> given, used;
-  for (std::size_t r = 0; r < id.campaign.records.size(); ++r) {
-    const RecordEntry& entry = id.campaign.records[r];
-    const bool read =
-        is_steady(entry.kind) || entry.kind == RecordKind::free_decay || entry.kind == RecordKind::impact;
-    if (read && window.takes(r, entry.file)) given.insert(r);
-  }
-  for (const ObservationSet& set : id.measured)
-    for (const auto* observations : {&set.observations, &set.at_rest})
-      for (const Observation& o : *observations) used.insert(o.record);
-  return mostly_left_out(id.estimate.warnings, id.campaign, given, used);
-}
-
-// Options that only the modulation equations have a meaning for.
-std::vector<std::string> options_of_modulation(const IdentifyArguments& options) {
-  std::vector<std::string> names;
-  if (!options.request.resonances.empty()) names.emplace_back("--case");
-  if (options.request.bootstrap > 0) names.emplace_back("--bootstrap");
-  if (options.request.refine) names.emplace_back("--refine");
-  return names;
-}
-
-// `left_out`: what the user has to know of records that options leave out.
-Equations equations_of(const IdentifyArguments& options, std::vector<std::string>& left_out) {
-  const std::vector<std::string> of_modulation = options_of_modulation(options);
-  if (options.by == Equations::full && !of_modulation.empty())
-    throw InputError(of_modulation.front(), "", "is of the modulation equations",
-                     "leave it out, or --by modulation-equations");
-  if (options.by) return *options.by;
-  const Campaign campaign = read_campaign(options.request.campaign);
-  if (of_modulation.empty()) return equations_for(campaign, options.request.window);
-  const std::set<std::size_t> all = records_within(campaign, options.request.window),
-                              others = without_expansion(campaign, all);
-  const std::string words = records_in_words(campaign, others);
-  if (!all.empty() && others == all)
-    throw InputError(of_modulation.front(), "",
-                     fmt::format("is of the modulation equations, which cannot use the records of {} ({})",
-                                 options.request.campaign, words),
-                     "leave it out: the full equations of motion tell the numbers, with error bars");
-  if (!others.empty())
-    left_out.push_back(fmt::format(
-        "{} is of the modulation equations, which leave out {}; without it the full equations take all records",
-        of_modulation.front(), words));
-  return Equations::modulation;
-}
-
 // The exit status.
-int run_full(const IdentifyArguments& options, const std::string& command) {
+int run(IdentifyArguments& options, const std::string& command) {
   ProgressLine line("fits (about)");
-  const FullIdentification run = identify_by_full_equations(
-      options.request, [&line](std::size_t done, std::size_t expected) { line(done, expected); });
-  const std::string json = estimate_json(run), html = full_report(run, command);
-  const std::string figure = report::render_figure(full_figure(run), "response", report::FigureUse::standalone).svg;
+  options.request.progress = [&line](std::size_t done, std::size_t expected) { line(done, expected); };
+  options.request.note = print_note;
+  const Identification result = identify(options.request, read_campaign(options.campaign));
+  const std::string json = estimate_json(result);
+  const std::string html = identification_report(result, command);
+  const std::string figure =
+      report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg;
   options.output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
-  print_warnings(folded(run.of.estimate.warnings, run.of.campaign));
+  if (options.timings)
+    for (const auto& [stage, seconds] : result.seconds) fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);
+  print_warnings(folded(result.estimate.warnings, result.campaign));
   if (options.json)
     fmt::print("{}", json);
+  else if (result.full)
+    print_full_summary(result, options.output.path());
   else
-    print_summary(run, options.output.path());
-  const std::set<std::size_t> given = records_within(run.of.campaign, options.request.window);
-  const auto lost = mostly_left_out(run.of.estimate.warnings, run.of.campaign, given, run.full.records);
-  if (lost) fmt::print(stderr, "secular: {}\n", *lost);
-  return lost || !run.full.has_converged ? 1 : 0;
+    print_summary(result, options.output.path());
+  if (result.mostly_left_out) fmt::print(stderr, "secular: {}\n", *result.mostly_left_out);
+  return result.mostly_left_out || (result.full && !result.full->has_converged) ? 1 : 0;
 }
 
 }  // namespace
@@ -210,7 +164,7 @@ int run_full(const IdentifyArguments& options, const std::string& command) {
 void add_identify_command(CLI::App* command, Action& chosen) {
   auto options = std::make_shared<IdentifyArguments>();
   options->request.threads = std::max(1U, std::thread::hardware_concurrency());
-  command->add_option("CAMPAIGN", options->request.campaign, "campaign folder")->required();
+  command->add_option("CAMPAIGN", options->campaign, "campaign folder")->required();
   command->add_option("--model", options->request.model, "model file, or the name of a shipped model")->required();
   options->output.add_to(*command, "folder for estimate.json and report.html");
   command
@@ -224,7 +178,7 @@ void add_identify_command(CLI::App* command, Action& chosen) {
                     "maximum likelihood with errors in amplitudes, phases, forces and frequencies");
   command
       ->add_option(
-          "--by", options->by,
+          "--by", options->request.by,
           "full-equations: of motion, all kinds of records in one likelihood (sweeps, broadband records and "
           "impacts need them, and choose them); modulation-equations: of the resonance cases, dwells and "
           "free decays alone")
@@ -246,28 +200,9 @@ void add_identify_command(CLI::App* command, Action& chosen) {
     chosen = [options, command] {
       parse_fixed(*options);
       options->output.check(
-          {{"the campaign", options->request.campaign, true}, {"the model", options->request.model, false}});
+          {{"the campaign", options->campaign, true}, {"the model", options->request.model, false}});
       options->request.window = options->selection.window();
-      std::vector<std::string> left_out;
-      if (equations_of(*options, left_out) == Equations::full) return run_full(*options, command_line_of(*command));
-      Identification result = identify(options->request);
-      result.estimate.warnings.insert(result.estimate.warnings.begin(), left_out.begin(), left_out.end());
-      const std::string json = estimate_json(result);
-      const std::string html = identification_report(result, command_line_of(*command));
-      const std::string figure =
-          report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg;
-      options->output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
-      if (options->timings)
-        for (const auto& [stage, seconds] : result.seconds)
-          fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);
-      print_warnings(folded(result.estimate.warnings, result.campaign));
-      if (options->json)
-        fmt::print("{}", json);
-      else
-        print_summary(result, options->output.path());
-      const auto lost = lost_records(result, options->request.window);
-      if (lost) fmt::print(stderr, "secular: {}\n", *lost);
-      return lost ? 1 : 0;
+      return run(*options, command_line_of(*command));
     };
   });
 }

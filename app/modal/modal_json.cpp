@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/shared/json_numbers.hpp"
+#include "jobs/shared/json_numbers.hpp"
 #include "measure/modal/modal_mass.hpp"
 #include "measure/modal/pole.hpp"
 #include "numerics/confidence.hpp"

@@ -9,12 +9,13 @@
 #include <map>
 #include <utility>
 
-#include "app/shared/model_loading.hpp"
-#include "app/shared/number_file.hpp"
-#include "app/shared/parameter_file.hpp"
-#include "app/shared/shipped_models.hpp"
+#include "app/shared/notices.hpp"
 #include "estimator/identification/unit_text.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/model_loading.hpp"
+#include "jobs/shared/number_file.hpp"
+#include "jobs/shared/parameter_file.hpp"
+#include "jobs/shared/shipped_models.hpp"
 #include "measure/observe/modal_projection.hpp"
 
 namespace secular::app {
@@ -23,7 +24,7 @@ namespace {
 using Eigen::Index;
 
 void load_case(const PlanRequest& request, PlanResult& plan) {
-  LoadedCase loaded = ModelSource(request.model, false).load_case(request.resonance);
+  LoadedCase loaded = ModelSource(request.model, false, print_note).load_case(request.resonance);
   plan.model = std::move(loaded.model);
   plan.resonance = loaded.resonance;
   if (!plan.resonance->excited || plan.model->excitations.size() != 1)

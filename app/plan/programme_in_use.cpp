@@ -8,8 +8,8 @@
 #include <map>
 #include <utility>
 
-#include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/record_selection.hpp"
 #include "measure/data/campaign.hpp"
 #include "numerics/hertz.hpp"
 

@@ -19,8 +19,9 @@
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
-#include "app/shared/record_selection.hpp"
+#include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/record_selection.hpp"
 #include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
 

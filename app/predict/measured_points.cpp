@@ -7,8 +7,8 @@
 #include <iterator>
 #include <map>
 
-#include "app/shared/record_selection.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/record_selection.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular::app {

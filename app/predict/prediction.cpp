@@ -8,7 +8,8 @@
 #include "app/predict/prediction_inputs.hpp"
 #include "app/predict/range_marks.hpp"
 #include "app/predict/simulated_sweep.hpp"
-#include "app/shared/model_loading.hpp"
+#include "app/shared/notices.hpp"
+#include "jobs/shared/model_loading.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular::app {
@@ -74,7 +75,7 @@ void add_curves(const PredictionRequest& request, const ResponseField& field, co
 }  // namespace
 
 Prediction predict(const PredictionRequest& request, const SweepProgress& progress) {
-  const ModelSource source(request.model, false);
+  const ModelSource source(request.model, false, print_note);
   Prediction prediction;
   LoadedCase loaded = source.load_case(request.resonance);
   prediction.model = std::move(loaded.model);

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
-#include "app/shared/number_file.hpp"
-#include "app/shared/parameter_file.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/number_file.hpp"
+#include "jobs/shared/parameter_file.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular::app {

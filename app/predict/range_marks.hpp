@@ -5,7 +5,7 @@
 
 #include "app/predict/expansion_range.hpp"
 #include "app/predict/prediction.hpp"
-#include "app/shared/model_loading.hpp"
+#include "jobs/shared/model_loading.hpp"
 
 namespace secular::app {
 

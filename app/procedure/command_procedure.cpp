@@ -12,8 +12,9 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
-#include "app/shared/record_selection.hpp"
+#include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/record_selection.hpp"
 #include "report/number_format.hpp"
 
 namespace secular::app {
@@ -84,8 +85,9 @@ void add_procedure_command(CLI::App* command, Action& chosen) {
   options->selection.add_to(*command);
   options->output.add_to(*command, "folder for procedures.json and report.html");
   command->add_flag("--interpret", request.interpret, "no compiled code of the model: slower, same results");
-  command->add_flag("!--no-bias", request.bias,
-                    "leave out what every method does on motions of the full equations, where the truth is known");
+  command->add_flag_callback(
+      "--no-bias", [options] { options->request.bias = false; },
+      "leave out what every method does on motions of the full equations, where the truth is known");
   request.threads = std::max(1U, std::thread::hardware_concurrency());
   command->add_option("--threads", request.threads, "threads; the result does not depend on it")
       ->check(CLI::Range(1U, 1024U));

@@ -4,10 +4,10 @@
 #include <map>
 #include <vector>
 
-#include "app/shared/parameter_file.hpp"
-#include "app/shared/shipped_models.hpp"
 #include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
+#include "jobs/shared/parameter_file.hpp"
+#include "jobs/shared/shipped_models.hpp"
 #include "motion/simulate/experiment.hpp"
 
 namespace secular::app {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/procedure/thesis_procedures.hpp"
-#include "app/shared/identification.hpp"
+#include "jobs/identify/identification.hpp"
 
 namespace secular::app {
 

@@ -14,12 +14,13 @@
 #include "app/procedure/procedure_data.hpp"
 #include "app/procedure/two_modes.hpp"
 #include "app/procedure/variance.hpp"
-#include "app/shared/identification.hpp"
-#include "app/shared/model_loading.hpp"
-#include "app/shared/record_selection.hpp"
+#include "app/shared/notices.hpp"
 #include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
+#include "jobs/identify/identification.hpp"
+#include "jobs/shared/model_loading.hpp"
+#include "jobs/shared/record_selection.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "thesis/procedures/combination_dwells.hpp"
 #include "thesis/procedures/engine_lumps.hpp"
@@ -87,19 +88,19 @@ void find_bias(const ProcedureRequest& request, const RecordReader& read, Proced
                   [](const auto& section) { return section.rows.empty(); }))
     return;
   IdentificationRequest everything;
-  everything.campaign = request.campaign;
   everything.model = request.model;
   everything.resonances = {std::string(run.resonance->name)};
   everything.interpret = request.interpret;
   everything.window = request.window;
   everything.threads = request.threads;
+  everything.note = print_note;
   const MethodsOn methods = [&](const ObservationSet& seen, const Eigen::VectorXd& parameters) {
     ProcedureRun again{run.campaign, run.model, run.resonance, seen, {}, {}};
     run_methods(request, KnownTruth(parameters, *run.model, *run.resonance), again, true);
     return std::move(again.sections);
   };
   try {
-    const Identification identification = identify(everything, run.campaign, read);
+    const Identification identification = identify_by_modulation(everything, run.campaign, read);
     add_bias(run, methods, identification.estimate, request.threads);
     const auto& values = identification.estimate.parameters;
     if (std::any_of(values.begin(), values.end(), [](const EstimatedValue& v) { return v.doubtful; }))
@@ -124,7 +125,7 @@ ProcedureRun run_procedures(const ProcedureRequest& request) {
 }
 
 ProcedureRun run_procedures(const ProcedureRequest& request, const Campaign& measured, const RecordReader& read) {
-  const ModelSource source(request.model, request.interpret);
+  const ModelSource source(request.model, request.interpret, print_note);
   const std::string name = covered_case(source, request);
   ProcedureRun run;
   run.campaign = measured;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/procedure/thesis_procedures.hpp"
-#include "app/shared/json_numbers.hpp"
+#include "jobs/shared/json_numbers.hpp"
 #include "numerics/confidence.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"

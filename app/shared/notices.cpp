@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "measure/disturbances/disturbance_watch.hpp"
 #include "report/html_report.hpp"
 
 namespace secular::app {
@@ -49,6 +50,16 @@ void print_warning(const std::string& text) {
 
 void print_warnings(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) print_warning(text);
+}
+
+void print_note(const std::string& text) {
+  if (!quiet) fmt::print(stderr, "secular: note: {}\n", text);
+}
+
+void print_disturbances(const std::vector<Disturbance>& found, const Campaign& campaign, std::size_t records) {
+  if (found.empty()) return;
+  fmt::print("beside the motion\n");
+  for (const std::string& line : disturbance_lines(found, campaign, records)) fmt::print("  {}\n", line);
 }
 
 }  // namespace secular::app

@@ -6,14 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <optional>
-#include <set>
 #include <system_error>
 
 #include "input/input_error.hpp"
-#include "measure/data/campaign.hpp"
-#include "measure/data/campaign_text.hpp"
+#include "measure/data/campaign_target.hpp"
 #include "measure/data/whole_folder.hpp"
 #include "report/whole_file.hpp"
 
@@ -24,35 +20,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* force_description = "replace what stands there";
 
-// Links followed as far as there is something.
-fs::path links_followed(const std::string& path) {
-  std::error_code error;
-  fs::path result = fs::weakly_canonical(fs::absolute(path), error);
-  if (error) result = fs::absolute(path).lexically_normal();
-  return result.filename().empty() ? result.parent_path() : result;
-}
-
-bool is_within(const fs::path& inner, const fs::path& outer) {
-  const auto [left, right] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
-  return left == outer.end();
-}
-
 void check_apart(const std::string& output, const std::string& option, const std::vector<CommandInput>& inputs) {
   if (output.empty()) throw InputError(option, "", "has no name", "name what is to be written");
-  const fs::path target = links_followed(output);
   for (const CommandInput& input : inputs) {
     std::error_code error;
     if (input.path.empty() || !fs::exists(input.path, error)) continue;
     if (fs::is_directory(input.path, error) && !input.may_be_folder) continue;
-    const fs::path source = links_followed(input.path);
-    const char* how = nullptr;
-    if (target == source)
-      how = "is";
-    else if (is_within(target, source))
-      how = "lies inside";
-    else if (is_within(source, target))
-      how = "contains";
-    if (how == nullptr) continue;
+    const std::string how = overlap(output, input.path);
+    if (how.empty()) continue;
     throw InputError(output, option, fmt::format("{} {} that is read ({})", how, input.what, input.path),
                      "name another place: what is read is never written to");
   }
@@ -84,26 +59,7 @@ bool matches(const std::string& name, const std::string& pattern) {
 }
 
 void check_campaign_made(const std::string& output) {
-  std::optional<Campaign> campaign;
-  try {
-    campaign = read_campaign(output);
-  } catch (const InputError& error) {
-    refuse_others(output, "exists and is no campaign");
-  }
-  std::set<fs::path> own = {"campaign.toml"};
-  for (const RecordEntry& entry : campaign->records) {
-    fs::path file = fs::path((entry.row ? entry.row->table : entry.file)).lexically_normal();
-    for (own.insert(file); file.has_parent_path(); own.insert(file)) file = file.parent_path();
-  }
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(output, error))
-    if (!own.contains(entry.path().lexically_relative(output)))
-      refuse_others(output, fmt::format("holds {}, which is no part of its campaign",
-                                        entry.path().lexically_relative(output).generic_string()));
-  std::ifstream stream(fs::path(output) / "campaign.toml", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (text != campaign_text(*campaign))
-    refuse_others(output, "exists, and its campaign.toml is not as a command writes it");
+  if (const std::string fault = fault_of_replaced(output); !fault.empty()) refuse_others(output, fault);
 }
 
 }  // namespace

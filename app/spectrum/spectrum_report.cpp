@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/shared/json_numbers.hpp"
+#include "jobs/shared/json_numbers.hpp"
 #include "numerics/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"

@@ -11,8 +11,8 @@
 #include "app/shared/commands.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
-#include "app/shared/shipped_models.hpp"
 #include "app/verify/errata_page.hpp"
+#include "jobs/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
 #include "thesis/verify/verification.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "input/child_process.hpp"
+#include "input/stop_request.hpp"
 
 namespace secular {
 namespace {
@@ -89,11 +90,15 @@ std::optional<std::string> compile_shared_object(const CppCompiler& compiler,
   };
   std::vector<std::string> link = compiler.command;
   for (const std::string& word : {std::string("-shared"), std::string("-o"), target.string()}) link.push_back(word);
+  const std::atomic<bool>* const stop = StopScope::current();
   std::vector<std::future<std::optional<std::string>>> complaints;
   for (std::size_t i = 0; i < units.size(); ++i) {
     const std::filesystem::path object = target.parent_path() / ("unit" + std::to_string(i) + ".o");
     link.push_back(object.string());
-    complaints.push_back(std::async(std::launch::async, compile, std::cref(units[i]), object));
+    complaints.push_back(std::async(std::launch::async, [&compile, &unit = units[i], object, stop] {
+      const StopScope scope(stop);
+      return compile(unit, object);
+    }));
   }
   std::optional<std::string> first;
   for (auto& complaint : complaints)

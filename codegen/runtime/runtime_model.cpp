@@ -141,13 +141,18 @@ class Compilation {
 RuntimeModel load_runtime_model(const fs::path& file, const RuntimeModelOptions& options) {
   const auto text = read_file_bytes(file);
   if (!text) throw InputError(file.string(), "", "cannot be read", "name a model file");
-  const ModelRequest request{file.string(), *text, options.cases, options.effects, options.catalogue};
+  return load_runtime_model_text(*text, file.string(), options);
+}
+
+RuntimeModel load_runtime_model_text(const std::string& text, const std::string& name,
+                                     const RuntimeModelOptions& options) {
+  const ModelRequest request{name, text, options.cases, options.effects, options.catalogue};
   RuntimeModel result;
   if (!options.interpret) {
     Compilation compilation(request, options);
     if (std::optional<RuntimeModel> compiled = compilation.run()) return std::move(*compiled);
-    result.notes.push_back(
-        fmt::format("model {} is interpreted, which is slower: {}", file.stem().string(), compilation.obstacle()));
+    result.notes.push_back(fmt::format("model {} is interpreted, which is slower: {}",
+                                       fs::path(name).stem().string(), compilation.obstacle()));
   }
   result.origin = RuntimeModel::Origin::interpreted;
   result.model = interpreted_model(cached_model(request, ModelCache(options.cache_folder), result.notes));

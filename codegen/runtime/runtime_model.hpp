@@ -37,5 +37,8 @@ struct RuntimeModel {
 /// what is wrong with the model, a case named in `options.cases` that cannot be emitted included; among all cases
 /// such a one is left out with a note. Throws NumericalFailure where a certificate does not hold.
 RuntimeModel load_runtime_model(const std::filesystem::path& file, const RuntimeModelOptions& options);
+/// The same of a text that is in no file; `name`: what messages call it.
+RuntimeModel load_runtime_model_text(const std::string& text, const std::string& name,
+                                     const RuntimeModelOptions& options);
 
 }  // namespace secular

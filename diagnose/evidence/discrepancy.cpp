@@ -76,6 +76,12 @@ Index Discrepancy::freedom() const {
   return sum - static_cast<Index>(nuisances_.delay_sd.size());  // a phase of each record's own
 }
 
+Index Discrepancy::measured_rows() const {
+  Index sum = 0;
+  for (const auto& part : parts_) sum += part->measured_rows();
+  return sum;
+}
+
 std::vector<RowLabel> Discrepancy::labels() const {
   std::vector<RowLabel> all;
   for (const auto& part : parts_) all.insert(all.end(), part->labels().begin(), part->labels().end());

@@ -56,6 +56,9 @@ class Evidence {
   /// Whether freeze() measures errors by what the unknowns leave, unless it is coarse: among true errors they may
   /// leave less then than among wide ones.
   virtual bool measures_errors() const { return false; }
+  /// Independent rows whose noise is measured by third differences of what is left of them (docs/inference.md
+  /// (50)).
+  virtual Eigen::Index measured_rows() const { return 0; }
   /// Motions are looked for from those at these unknowns on; errors stay.
   virtual void approach(const Eigen::VectorXd& /*unknowns*/) {}
   /// `rows`: size() of them, at the errors that freeze() took.
@@ -127,6 +130,7 @@ class Discrepancy {
   // Sums, or one behind the other, of the evidence's own.
   Eigen::Index size() const;
   Eigen::Index freedom() const;
+  Eigen::Index measured_rows() const;
   std::vector<RowLabel> labels() const;
   /// As Evidence::freeze(). Each record's own natural frequencies and lateness are put where they are likeliest at
   /// these unknowns, so that what is left of them is small.

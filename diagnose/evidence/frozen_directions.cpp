@@ -47,7 +47,7 @@ void freeze_directions(const SegmentModel& model, std::span<FrozenSegment> segme
     of.insert(of.end(), of_one, &f);
     add_trials(f, model.modes(), unknowns, trials);
   }
-  const std::vector<VectorXd> errors = seen_errors(model, of, trials);
+  const std::vector<VectorXd> errors = seen_errors(model, of, std::move(trials));
   std::span<const VectorXd> rest(errors);
   for (FrozenSegment& f : segments) {
     f.directions = ErrorDirections(f.seen_foreign_columns(), columns_of(rest.subspan(1, both), rest[0], 1e4),

@@ -1,9 +1,22 @@
 #include "diagnose/evidence/frozen_segment.hpp"
 
 namespace secular {
+namespace {
 
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+// Errors of the first samples, of all channels, as those of all samples; the others do not count.
+VectorXd of_all_samples(VectorXd error, Index first, Index all) {
+  if (first == all) return error;
+  const Index channels = error.size() / first;
+  MatrixXd whole = MatrixXd::Zero(all, channels);
+  whole.topRows(first) = error.reshaped(first, channels);
+  return whole.reshaped();
+}
+
+}  // namespace
 
 FrozenSegment::FrozenSegment(Segment of_record)
     : measured(std::move(of_record)), segment(measured), may_hold(foreign_columns(segment)) {}
@@ -20,9 +33,11 @@ MatrixXd FrozenSegment::seen_columns(MatrixXd columns) const {
 }
 
 std::vector<VectorXd> seen_errors(const SegmentModel& model, const std::vector<const FrozenSegment*>& of,
-                                  const std::vector<SegmentTrial>& trials) {
+                                  std::vector<SegmentTrial> trials) {
+  for (std::size_t i = 0; i < trials.size(); ++i) trials[i].samples = of[i]->horizon();
   std::vector<VectorXd> all = model.errors(trials);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = of[i]->seen(std::move(all[i]));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = of[i]->seen(of_all_samples(std::move(all[i]), of[i]->horizon(), of[i]->samples()));
   return all;
 }
 

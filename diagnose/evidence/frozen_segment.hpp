@@ -48,9 +48,10 @@ struct FrozenSegment {
   Eigen::MatrixXd seen_foreign_columns() const { return seen_columns(may_hold.leftCols(held)); }
 };
 
-/// Errors of trials as the rows of their segments see them; `of`: the segment of each.
+/// Errors of trials as the rows of their segments see them, computed as far as their horizons; `of`: the segment of
+/// each.
 std::vector<Eigen::VectorXd> seen_errors(const SegmentModel& model, const std::vector<const FrozenSegment*>& of,
-                                         const std::vector<SegmentTrial>& trials);
+                                         std::vector<SegmentTrial> trials);
 
 /// Segments as they are.
 std::vector<SegmentTrial> trials_of(std::span<const FrozenSegment> segments, const Eigen::VectorXd& unknowns);

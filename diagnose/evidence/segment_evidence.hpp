@@ -31,6 +31,7 @@ class SegmentEvidence : public Evidence {
   const std::vector<RowLabel>& labels() const override { return labels_; }
   void freeze(const Eigen::VectorXd& unknowns, double coarse) override;
   bool measures_errors() const override { return !noise_is_known_; }
+  Eigen::Index measured_rows() const override { return noise_in_use().empty() || noise_is_known_ ? 0 : freedom(); }
   void set_frequency_offsets(const std::map<std::size_t, Eigen::VectorXd>& offsets) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
   Eigen::MatrixXd between_samples(const Eigen::VectorXd& unknowns, const BetweenSamples& of_blows) const override;

@@ -51,7 +51,7 @@ MatrixXd differences(const SegmentRows& rows, const VectorXd& unknowns, const st
         of.push_back(&rows.segments[i / which.size()]);
         trials.push_back(of.back()->trial(ends[2 * (i % which.size()) + side]));
       }
-    std::vector<VectorXd> errors = seen_errors(rows.model, of, trials);
+    std::vector<VectorXd> errors = seen_errors(rows.model, of, std::move(trials));
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t segment = i / which.size(), up = 2 * (i - begin);
       VectorXd above(rows.count(segment)), below(rows.count(segment));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/inference/screening.hpp"
+#include "numerics/orthonormal_span.hpp"
 
 namespace secular {
 

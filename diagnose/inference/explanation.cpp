@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "diagnose/inference/screening.hpp"
+#include "numerics/orthonormal_span.hpp"
 
 namespace secular {
 

@@ -55,26 +55,29 @@ Refit Fitter::fit_own(const VectorXd& from, const std::vector<std::size_t>& free
   return fit;
 }
 
+LevelFit Fitter::at_level(VectorXd unknowns, const std::vector<std::size_t>& free, double coarse) {
+  Refit fit;
+  double before = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most_rounds; ++round) {
+    freeze(unknowns, coarse, round > 0 ? Lookout::close_by : Lookout::anywhere);
+    Refit next = fit_own(unknowns, free, coarse > 0 ? diagnose_thresholds().first_damping : 0);
+    if (next.chi_squared > reweighting * std::max(before, rows())) break;
+    fit = std::move(next);
+    unknowns = fit.unknowns;
+    const bool holds = coarse == 0 && is_within_noise(fit.chi_squared, rows());
+    const double change = std::abs(fit.chi_squared - before);
+    if (round > 0 && change < (holds ? diagnose_thresholds().least_gain : 0.02 * before + 1)) break;
+    if (round + 1 >= usual_rounds && !holds) break;
+    before = fit.chi_squared;
+  }
+  return {std::move(fit), rows()};
+}
+
 std::vector<LevelFit> Fitter::from_coarse_to_fine(const VectorXd& start, const std::vector<std::size_t>& free,
                                                   double most) {
-  VectorXd unknowns = start;
   std::vector<LevelFit> fits;
   for (const double coarse : coarse_levels) {
-    Refit fit;
-    double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
-      freeze(unknowns, coarse, round > 0 ? Lookout::close_by : Lookout::anywhere);
-      Refit next = fit_own(unknowns, free, coarse > 0 ? diagnose_thresholds().first_damping : 0);
-      if (next.chi_squared > reweighting * std::max(before, rows())) break;
-      fit = std::move(next);
-      unknowns = fit.unknowns;
-      const bool holds = coarse == 0 && is_within_noise(fit.chi_squared, rows());
-      const double change = std::abs(fit.chi_squared - before);
-      if (round > 0 && change < (holds ? diagnose_thresholds().least_gain : 0.02 * before + 1)) break;
-      if (round + 1 >= usual_rounds && !holds) break;
-      before = fit.chi_squared;
-    }
-    fits.push_back({std::move(fit), rows()});
+    fits.push_back(at_level(fits.empty() ? start : fits.back().fit.unknowns, free, coarse));
     if (!discrepancy_.measures_errors() && fits.back().fit.chi_squared > reweighting * most) break;
   }
   return fits;

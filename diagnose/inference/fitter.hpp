@@ -68,6 +68,9 @@ class Fitter {
   Refit fit_own(const Eigen::VectorXd& from, const std::vector<std::size_t>& free, double damping = 0);
   RefitOptions options(unsigned threads = 1) const;
 
+  /// A fit among errors of one level, which are taken anew at where it ends until it comes to rest.
+  LevelFit at_level(Eigen::VectorXd unknowns, const std::vector<std::size_t>& free, double coarse);
+
   /// Errors of the rows depend on the unknowns, and a start far off has none that mean anything: one fit for each
   /// of coarse_levels, every one from where the last ended. Among wider errors a fit leaves less: none that is
   /// finer follows one that leaves more than `most`.

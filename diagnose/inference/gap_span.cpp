@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "diagnose/inference/screening.hpp"
+#include "numerics/orthonormal_span.hpp"
 
 namespace secular {
 namespace {

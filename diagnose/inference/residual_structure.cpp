@@ -12,6 +12,7 @@
 #include "diagnose/inference/screening.hpp"
 #include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/orthonormal_span.hpp"
 
 namespace secular {
 namespace {

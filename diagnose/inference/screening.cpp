@@ -5,6 +5,7 @@
 
 #include "diagnose/thresholds.hpp"
 #include "numerics/in_parallel.hpp"
+#include "numerics/orthonormal_span.hpp"
 
 namespace secular {
 
@@ -118,11 +119,6 @@ MatrixXd basis_of(const MatrixXd& columns) {
   Index rank = 0;
   while (rank < svd.singularValues().size() && svd.singularValues()(rank) > 1e-6 * svd.singularValues()(0)) ++rank;
   return svd.matrixU().leftCols(rank);
-}
-
-MatrixXd without_span(const MatrixXd& basis, const MatrixXd& columns) {
-  if (basis.cols() == 0) return columns;
-  return columns - basis * (basis.transpose() * columns);
 }
 
 void KnownScales::remember(const std::vector<std::size_t>& which, const VectorXd& scale) {

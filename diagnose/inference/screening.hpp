@@ -37,8 +37,6 @@ class KnownScales {
 std::vector<Screening> screen_all(Discrepancy& discrepancy, const Refit& base,
                                   const std::vector<Candidate>& candidates, KnownScales& scales, unsigned threads);
 
-/// Columns without what an orthonormal basis spans: columns - basis basis' columns, both with a row each.
-Eigen::MatrixXd without_span(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns);
 /// Orthonormal basis of the columns, without directions whose singular value is below a millionth of the largest,
 /// of columns of unit length. No columns where all are zero.
 Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns);

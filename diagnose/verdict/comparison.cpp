@@ -15,6 +15,7 @@
 #include "diagnose/evidence/line_evidence.hpp"
 #include "diagnose/evidence/observe_conditions.hpp"
 #include "diagnose/evidence/unresolved_blows.hpp"
+#include "diagnose/verdict/first_frequencies.hpp"
 #include "diagnose/verdict/start_values.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "input/input_error.hpp"
@@ -78,6 +79,35 @@ std::vector<double> natural_frequencies(const CompiledModel& model, const Diagno
     natural.push_back(std::isfinite(seen) ? seen : start(static_cast<Index>(k)));
   }
   return natural;
+}
+
+// Of the modes whose natural frequency is fitted and that nothing but the model's nominal value tells.
+std::vector<std::size_t> modes_unseen(const CampaignAndModel& sides, const DiagnosisOptions& options) {
+  std::vector<std::size_t> modes;
+  for (std::size_t k = 0; k < sides.model.modes(); ++k) {
+    const std::string name(sides.model.symbols[k].name);
+    const bool is_told = std::isfinite(seen_frequency(options, k)) || options.start.contains(name) ||
+                         options.given.values.contains(name);
+    if (!is_told && std::find(sides.own.begin(), sides.own.end(), k) != sides.own.end()) modes.push_back(k);
+  }
+  return modes;
+}
+
+// Of `start`, those that nothing but nominal values tells by the first turns of free decays.
+VectorXd with_first_frequencies(const VectorXd& start, const CampaignAndModel& sides, const SensorModel& sensors,
+                                const FaultTable& faults, const DiagnosisOptions& options) {
+  const std::vector<std::size_t> modes = modes_unseen(sides, options);
+  if (modes.empty()) return start;
+  const std::vector<double> natural = natural_frequencies(sides.model, options, start);
+  std::vector<std::string> said_again;  // when they are cut
+  SegmentCut cut{options.window, SegmentLength::turns, options.most_samples};
+  std::vector<Segment> turns =
+      first_turns(cut_segments(sides.campaign, sides.read, sensors, natural, cut, said_again), natural);
+  if (turns.empty()) return start;
+  Discrepancy discrepancy;
+  discrepancy.add(std::make_unique<SegmentEvidence>(sides.model, options.forces, sensors, faults, std::move(turns),
+                                                    options.threads));
+  return first_frequencies(discrepancy, start, modes, options.threads);
 }
 
 // Velocities and accelerations of a motion that lasts have no mean: what is there is the sensor's. No row sees that
@@ -220,6 +250,7 @@ Comparison compare(const CampaignAndModel& sides, const std::vector<EquationEffe
                     .unsteady = {},
                     .spans = {},
                     .warnings = {}};
+  result.start = with_first_frequencies(result.start, sides, sensors, faults, options);
   const std::vector<double> natural = natural_frequencies(model, options, result.start);
   CountingReader counting(sides.read, options.window);
   const RecordReader counted = [&](std::size_t r) { return counting(r); };

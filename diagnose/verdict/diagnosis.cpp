@@ -68,7 +68,8 @@ class OpenDiagnosis::Stages {
 
   bool leaves_noise_alone() const {
     return best_ != nullptr &&
-           !is_more_than_noise({best_->fit.chi_squared, freedom() - static_cast<double>(best_->fit.rank)});
+           !is_more_than_noise(
+               rows_left(best_->fit.chi_squared, freedom() - static_cast<double>(best_->fit.rank), discrepancy()));
   }
 
   bool admits_scatter() const { return is_scatter(comparison_.of_records.frequency_sd); }
@@ -146,9 +147,10 @@ class OpenDiagnosis::Stages {
   void detect() {
     // With error bars the sum of all squares is that of the numbers that fit best: how far these are is another
     // question.
-    RowsLeft left{inference_.null.fit.chi_squared, inference_.degrees_of_freedom};
+    RowsLeft left = rows_left(inference_.null.fit.chi_squared, inference_.degrees_of_freedom, discrepancy());
     if (result_.gap.judged == Judged::given)
-      left = {judged_->rows.squaredNorm(), static_cast<double>(discrepancy().freedom() - judged_->rank)};
+      left = rows_left(judged_->rows.squaredNorm(), static_cast<double>(discrepancy().freedom() - judged_->rank),
+                       discrepancy());
     std::optional<double> moved;
     if (judged_) moved = moved_p_value(options_.given, *judged_, model_, comparison_.start, inference_.null.fit);
     const DetectedGap found =

@@ -4,6 +4,7 @@
 
 #include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/third_differences.hpp"
 
 namespace secular {
 namespace {
@@ -24,10 +25,17 @@ double chance_of_gain(const Inference& inference, const std::vector<Candidate>& 
 }
 
 double chance_of(const RowsLeft& left) {
-  return chi_squared_upper_tail(left.chi_squared, left.freedom);
+  return f_upper_tail(left.chi_squared / left.freedom, left.freedom, left.noise_freedom);
 }
 
 }  // namespace
+
+RowsLeft rows_left(double chi_squared, double freedom, const Discrepancy& evidence) {
+  RowsLeft left{chi_squared, freedom};
+  if (const auto measured = static_cast<double>(evidence.measured_rows()); measured > 0)
+    left.noise_freedom = freedom * freedom / ((1 / third_difference_freedom - 2) * measured);
+  return left;
+}
 
 bool is_more_than_noise(const RowsLeft& left) {
   return chance_of(left) < false_alarm;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "diagnose/effects/candidate.hpp"
+#include "diagnose/evidence/discrepancy.hpp"
 #include "diagnose/inference/inference.hpp"
 
 namespace secular {
@@ -12,7 +14,12 @@ namespace secular {
 struct RowsLeft {
   double chi_squared = 0;
   double freedom = 0;  ///< degrees of freedom about whatever was fitted
+  /// Of the noise that rows are in units of, as if it were measured apart from them (docs/inference.md (50)).
+  double noise_freedom = std::numeric_limits<double>::infinity();
 };
+
+/// Of rows of this evidence, at true errors.
+RowsLeft rows_left(double chi_squared, double freedom, const Discrepancy& evidence);
 
 /// Whether noise alone would leave so much less often than DiagnoseThresholds::gap_alarm.
 bool is_more_than_noise(const RowsLeft& left);

@@ -49,7 +49,7 @@ ModelAlone left_by(const FittedAlone& fitted, const CampaignAndModel& sides, con
       log_width += 0.5 * std::log1p(sd * sd / frequency.variance);
     }
   }
-  const RowsLeft left{alone.null.fit.chi_squared, alone.degrees_of_freedom};
+  const RowsLeft left = rows_left(alone.null.fit.chi_squared, alone.degrees_of_freedom, comparison.discrepancy);
   std::vector<SegmentEvidence::Left> of_segments, of_records;
   if (comparison.segment_evidence && !comparison.discrepancy.admits_own() && !fitted.late &&
       is_more_than_noise(left)) {

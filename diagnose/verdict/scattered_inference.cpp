@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 constexpr int most_rounds = 3;
 
 RowsLeft left_by(const Refit& fit, const Discrepancy& discrepancy) {
-  return {fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank)};
+  return rows_left(fit.chi_squared, static_cast<double>(discrepancy.freedom() - fit.rank), discrepancy);
 }
 
 // Whether an explanation closes as much as a cause has to of what the model as it is leaves beyond noise.

@@ -46,6 +46,8 @@ struct ModalBasis {
   std::vector<std::vector<double>> mass_normalised_shapes;  ///< channels x modes
 };
 
+struct Record;
+
 /// What campaign.toml says of one record; the samples are read on demand by read_record. A record of kind `lines`
 /// is one row of its table, read with the campaign.
 struct RecordEntry {
@@ -59,6 +61,7 @@ struct RecordEntry {
   std::map<std::string, std::string> variables;  ///< channel name or "t" -> variable of the file
   std::uint32_t line = 0;                        ///< of its [[record]] in campaign.toml, 0 when made in memory
   std::shared_ptr<const LineRow> row{};          ///< kind `lines`
+  std::shared_ptr<const Record> held{};          ///< samples that are in memory; none: they are in the file
 };
 
 struct Campaign {
@@ -121,7 +124,8 @@ Campaign read_campaign(const std::filesystem::path& folder);
 /// infinity), follow from what is around them; ends where nothing was recorded are cut off (cut_unrecorded). Throws
 /// InputError for a missing column, text where a number should
 /// be, more samples that are no numbers, time that does not increase evenly (names the place), a sample rate that
-/// contradicts campaign.toml by more than 0.1 %. Of a row of a table there are no samples, but Record::row.
+/// contradicts campaign.toml by more than 0.1 %. Of a row of a table there are no samples, but Record::row. Samples
+/// that are held in memory (RecordEntry::held) are given as they are.
 Record read_record(const Campaign& campaign, const RecordEntry& entry);
 
 }  // namespace secular

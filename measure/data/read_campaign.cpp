@@ -6,6 +6,7 @@
 #include "input/input_error.hpp"
 #include "input/toml_table.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/data/held_campaign.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/table_entries.hpp"
 #include "measure/formats/channel_name.hpp"
@@ -100,7 +101,8 @@ bool is_table(const TomlTable& record) {
   return parse_record_kind(record.string("kind")) == RecordKind::lines;
 }
 
-RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
+// `in_memory`: the file is a name alone.
+RecordEntry read_entry(const TomlTable& table, const Campaign& campaign, bool in_memory) {
   const bool of_lines = is_table(table);
   std::vector<std::string_view> keys = {"file", "kind", "excitation_amplitude", "started_s", "group", "variables"};
   if (of_lines)
@@ -123,7 +125,7 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign) {
     table.fail("file", "'" + entry.file + "' is a link that leaves the campaign folder",
                "put the file itself there");
   std::error_code ignored;
-  if (entry.file.empty() || !fs::is_regular_file(campaign.folder / relative, ignored))
+  if (entry.file.empty() || (!in_memory && !fs::is_regular_file(campaign.folder / relative, ignored)))
     table.fail("file", "'" + entry.file + "' does not exist", "a file inside the campaign folder was expected");
   const auto kind = parse_record_kind(table.string("kind"));
   if (!kind)
@@ -192,7 +194,10 @@ Campaign read_campaign(const fs::path& folder) {
     throw InputError(folder.string(), "",
                      fs::is_empty(folder, ignored) ? "is an empty folder" : "has no campaign.toml",
                      "make a campaign from its files with `secular import`");
-  const TomlTable root = TomlTable::from_file(folder / "campaign.toml");
+  return described_campaign(TomlTable::from_file(folder / "campaign.toml"), folder, false);
+}
+
+Campaign described_campaign(const TomlTable& root, const fs::path& folder, bool in_memory) {
   root.refuse_unknown_keys({"schema", "name", "sample_rate_hz", "channel", "modal_basis", "record"});
   if (root.integer("schema") != 1) root.fail("schema", "is not 1", "this program reads schema 1");
   Campaign campaign;
@@ -220,7 +225,9 @@ Campaign read_campaign(const fs::path& folder) {
   if (!any_response) root.fail("channel", "no channel is a response", "describe at least one response [[channel]]");
   if (root.has("modal_basis")) campaign.modal_basis = read_basis(root.table("modal_basis"), campaign.channels);
   for (const TomlTable& table : records) {
-    RecordEntry entry = read_entry(table, campaign);
+    RecordEntry entry = read_entry(table, campaign, in_memory);
+    if (in_memory && entry.kind == RecordKind::lines)
+      table.fail("kind", "is lines, which stand in a file", "give a folder, or a kind that has samples");
     if (entry.kind != RecordKind::lines) {
       campaign.records.push_back(std::move(entry));
       continue;

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "input/stop_request.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/channel_times.hpp"
+#include "measure/data/held_campaign.hpp"
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/number_range.hpp"
 #include "measure/data/record_data.hpp"
@@ -77,13 +80,9 @@ RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, 
   return record;
 }
 
-Record read_record(const Campaign& campaign, const RecordEntry& entry) {
-  if (entry.row) {
-    Record record;
-    record.row = entry.row;
-    return record;
-  }
-  RecordData data = read_record_data(campaign, entry, MissingNumbers::keep_gaps);
+namespace {
+
+Record mended_record(const Campaign& campaign, RecordData data) {
   CutEnds cut = cut_unrecorded(campaign, data.stamps_s, data.channels);
   data.place.first += cut.first;
   FilledSamples filled = fill_missing(data.stamps_s, data.channels);
@@ -95,6 +94,50 @@ Record read_record(const Campaign& campaign, const RecordEntry& entry) {
                      fmt::format("campaign.toml says sample_rate_hz = {}", campaign.sample_rate_hz));
   return {axis.start_s,           axis.sample_rate_hz,     std::move(data.channels),  axis.jitter_s,
           std::move(filled.rows), std::move(filled.cells), std::move(cut.unrecorded), cut.rows};
+}
+
+}  // namespace
+
+Record read_record(const Campaign& campaign, const RecordEntry& entry) {
+  end_if_stopped();
+  if (entry.held) return *entry.held;
+  if (entry.row) {
+    Record record;
+    record.row = entry.row;
+    return record;
+  }
+  return mended_record(campaign, read_record_data(campaign, entry, MissingNumbers::keep_gaps));
+}
+
+Campaign held_campaign(const std::string& text, std::vector<MeasuredSamples> records) {
+  const TomlTable root = TomlTable::from_text(text, "the campaign");
+  Campaign campaign = described_campaign(root, root.string("name"), true);
+  if (records.size() != campaign.records.size())
+    throw InputError(campaign.name, "", fmt::format("has samples of {} records", records.size()),
+                     fmt::format("{} records are described", campaign.records.size()));
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    RecordEntry& entry = campaign.records[r];
+    const auto refuse = [&](const std::string& wrong, const std::string& right) {
+      throw InputError(campaign.name, entry.file, wrong, right);
+    };
+    RecordData data;
+    data.file = entry.file;
+    data.channels = std::move(records[r].channels);
+    if (data.channels.size() != campaign.channels.size())
+      refuse(fmt::format("has {} channels", data.channels.size()),
+             fmt::format("the campaign has {}", campaign.channels.size()));
+    const std::size_t samples = data.channels.front().size();
+    for (std::size_t c = 0; c < data.channels.size(); ++c) {
+      if (data.channels[c].size() != samples) refuse("has channels of several lengths", "one length is needed");
+      drop_fill_values(data.channels[c]);
+      require_number_range(data.channels[c], data.file, "channel " + campaign.channels[c].name);
+    }
+    for (std::size_t i = 0; i < samples; ++i)
+      data.stamps_s.push_back(records[r].start_s + static_cast<double>(i) / campaign.sample_rate_hz);
+    data.total = samples;
+    entry.held = std::make_shared<const Record>(mended_record(campaign, std::move(data)));
+  }
+  return campaign;
 }
 
 }  // namespace secular

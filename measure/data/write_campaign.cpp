@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "measure/data/campaign.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
+#include "measure/data/held_campaign.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/whole_folder.hpp"
 #include "measure/data/written_table.hpp"
@@ -49,6 +51,24 @@ void check_record(const Campaign& campaign, const RecordEntry& entry, const Reco
                          fmt::format("sample {} is not a finite number", i + 1),
                          "only finite samples can be stored");
   }
+}
+
+// Times and channels of these rows as the record's own file has them: without the rows that it lost, and NaN where
+// a channel holds no number. What was put in for them is not stored: it was not measured.
+std::vector<std::vector<double>> measured_columns(const Record& record, std::size_t first, std::size_t count) {
+  const auto is_among = [](const std::vector<std::size_t>& rising, std::size_t row) {
+    return std::binary_search(rising.begin(), rising.end(), row);
+  };
+  std::vector<std::vector<double>> columns(record.channels.size() + 1);
+  for (std::size_t row = first; row < first + count; ++row) {
+    if (is_among(record.lost, row)) continue;
+    columns[0].push_back(record.start_s + static_cast<double>(row) / record.sample_rate_hz);
+    for (std::size_t c = 0; c < record.channels.size(); ++c) {
+      const bool is_measured = c >= record.no_numbers.size() || !is_among(record.no_numbers[c], row);
+      columns[c + 1].push_back(is_measured ? record.channels[c][row] : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return columns;
 }
 
 // What has just been written must be what read_campaign accepts: units, names, modal basis, UTF-8.
@@ -120,13 +140,7 @@ void CampaignWriter::write(const Campaign& campaign, const RecordEntry& entry, c
       return csv_header(names);
     }
     const std::size_t count = std::min(block, record.samples() - row);
-    std::vector<std::vector<double>> columns(1, std::vector<double>(count));
-    for (std::size_t i = 0; i < count; ++i)
-      columns[0][i] = record.start_s + static_cast<double>(row + i) / record.sample_rate_hz;
-    for (const std::vector<double>& samples : record.channels) {
-      const auto begin = samples.begin() + static_cast<std::ptrdiff_t>(row);
-      columns.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count));
-    }
+    const std::vector<std::vector<double>> columns = measured_columns(record, row, count);
     row += count;
     return csv_rows(columns);
   });
@@ -147,6 +161,26 @@ void CampaignWriter::finish(const Campaign& campaign) {
   building_->folder.write("campaign.toml", [&] { return std::exchange(text, {}); });
   check_readable(building_->folder);
   building_->folder.finish(building_->replace);
+}
+
+void write_campaign(const Campaign& campaign, const fs::path& folder, bool replace) {
+  CampaignWriter writer(folder, replace);
+  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
+    RecordEntry entry = campaign.records[r];
+    if (!entry.row) {
+      writer.write(campaign, entry, read_record(campaign, entry));
+      continue;
+    }
+    std::vector<LineRow> rows;
+    while (r < campaign.records.size() && campaign.records[r].row &&
+           campaign.records[r].row->table == entry.row->table)
+      rows.push_back(*campaign.records[r++].row);
+    --r;
+    entry.file = entry.row->table;
+    entry.row.reset();
+    writer.write(campaign, entry, rows);
+  }
+  writer.finish(campaign);
 }
 
 }  // namespace secular

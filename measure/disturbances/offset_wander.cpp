@@ -137,8 +137,8 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   const Index own = x.cols() - 1 - slow_terms;
   if (rows <= x.cols()) return std::nullopt;
   const Eigen::CompleteOrthogonalDecomposition<MatrixXd> all(x), without(x.leftCols(1 + own));
-  const MatrixXd inverse = all.pseudoInverse();
-  const VectorXd fit = inverse * blocks.mean;
+  // Of the pseudo-inverse one row: the whole takes a square of the blocks.
+  const VectorXd inverse = all.transpose().solve(VectorXd::Unit(x.cols(), 0)), fit = all.solve(blocks.mean);
   Zero zero;
   zero.freedom = static_cast<double>(rows - all.rank());
   const double noise = (blocks.mean - x * fit).squaredNorm(), variance = noise / zero.freedom;
@@ -149,8 +149,8 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   zero.wander = x.rightCols(slow_terms) * fit.tail(slow_terms);
   zero.offset = fit(0);
   // Of a motion that is as large all the time nothing tells what its own mean is, and what the sensor's zero.
-  const bool told = (inverse.row(0) * x - VectorXd::Unit(x.cols(), 0).transpose()).norm() < entangled;
-  zero.offset_sd = told ? std::sqrt(variance) * inverse.row(0).norm() : INFINITY;
+  const bool told = (x.transpose() * inverse - VectorXd::Unit(x.cols(), 0)).norm() < entangled;
+  zero.offset_sd = told ? std::sqrt(variance) * inverse.norm() : INFINITY;
   return zero;
 }
 

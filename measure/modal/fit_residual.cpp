@@ -5,8 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "measure/modal/motion_columns.hpp"
 #include "measure/modal/record_scatter.hpp"
 #include "numerics/distribution.hpp"
+#include "numerics/orthonormal_span.hpp"
 
 namespace secular {
 namespace {
@@ -19,31 +21,6 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr int most_powers = 3;  // of time, in Eq. (M6)
-
-// exp(pole t) at every row.
-VectorXcd exponential(Index rows, double rate, Complex pole) {
-  VectorXcd e(rows);
-  for (Index i = 0; i < rows; ++i) e(i) = std::exp(pole * (static_cast<double>(i) / rate));
-  return e;
-}
-
-// Real columns of (Re R, Im R) in 2 Re(R motion).
-MatrixXd real_columns(const VectorXcd& motion) {
-  MatrixXd columns(motion.size(), 2);
-  columns << 2 * motion.real(), -2 * motion.imag();
-  return columns;
-}
-
-// Orthonormal columns that span the given ones; those that depend on others to rounding are left out.
-MatrixXd orthonormal_span(MatrixXd columns) {
-  for (Index c = 0; c < columns.cols(); ++c) {
-    const double norm = columns.col(c).norm();
-    if (norm > 0) columns.col(c) /= norm;
-  }
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
-  qr.setThreshold(1e-9);
-  return qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank());
-}
 
 // What amplitudes (Re, Im) of a pole's columns are times a residue.
 Eigen::Matrix2d turned(Complex residue) {
@@ -68,16 +45,13 @@ FitResidual::FitResidual(const Eigen::Ref<const MatrixXd>& samples, double sampl
     : fit_(fit), rate_(sample_rate_hz) {
   const Index rows = samples.rows(), n = fit.poles.size();
   MatrixXd columns(rows, 2 * n + 1);
-  for (Index r = 0; r < n; ++r) columns.middleCols(2 * r, 2) = real_columns(exponential(rows, rate_, fit.poles(r)));
+  for (Index r = 0; r < n; ++r)
+    columns.middleCols(2 * r, 2) = motion_columns(exponential(rows, rate_, fit.poles(r)));
   columns.col(2 * n).setOnes();
   basis_ = orthonormal_span(columns);
-  left_ = samples - basis_ * (basis_.transpose() * samples);
+  left_ = without_span(basis_, samples);
   const double floor = 1e-14 * samples.cwiseAbs().maxCoeff() + 1e-300;
   weight_ = fit.noise_sd.cwiseMax(floor).cwiseInverse();
-}
-
-MatrixXd FitResidual::projected(const MatrixXd& columns) const {
-  return columns - basis_ * (basis_.transpose() * columns);
 }
 
 // Those of the motion by a pole times powers of time, first one, then two, ...: rows x 2 each.
@@ -87,13 +61,13 @@ MatrixXd FitResidual::power_columns(Index pole, Index powers) const {
   MatrixXd columns(left_.rows(), 2 * powers);
   for (Index k = 0; k < powers; ++k) {
     power = power.cwiseProduct(time);
-    columns.middleCols(2 * k, 2) = real_columns(power);
+    columns.middleCols(2 * k, 2) = motion_columns(power);
   }
   return columns;
 }
 
 std::vector<ExplainedSquares> FitResidual::along_powers(Index pole) const {
-  const MatrixXd columns = projected(power_columns(pole, most_powers));
+  const MatrixXd columns = without_span(basis_, power_columns(pole, most_powers));
   std::vector<ExplainedSquares> found;
   for (int k = 1; k <= most_powers; ++k) {
     const MatrixXd span = orthonormal_span(columns.leftCols(2 * k));
@@ -110,7 +84,7 @@ FitResidual::Noise FitResidual::noise() const {
   if (powers < 1) return {left_, basis_.cols()};
   MatrixXd columns(rows, 2 * n * powers);
   for (Index r = 0; r < n; ++r) columns.middleCols(2 * r * powers, 2 * powers) = power_columns(r, powers);
-  const MatrixXd span = orthonormal_span(projected(columns));
+  const MatrixXd span = orthonormal_span(without_span(basis_, columns));
   return {left_ - span * (span.transpose() * left_), basis_.cols() + span.cols()};
 }
 
@@ -121,14 +95,14 @@ MatrixXd FitResidual::derivatives() const {
   const VectorXd time = VectorXd::LinSpaced(rows, 0, 1);
   for (Index r = 0; r < n; ++r)
     columns.middleCols(2 * r, 2) =
-        real_columns(exponential(rows, rate_, fit_.poles(r)).cwiseProduct(time.cast<Complex>()));
+        motion_columns(exponential(rows, rate_, fit_.poles(r)).cwiseProduct(time.cast<Complex>()));
   return columns;
 }
 
 std::vector<PoleInformation> FitResidual::by_record(Index channels) const {
   const Index signals = left_.cols(), n = fit_.poles.size();
   if (channels < 1 || signals % channels != 0) throw std::invalid_argument("by_record: no whole records");
-  const MatrixXd columns = projected(derivatives());
+  const MatrixXd columns = without_span(basis_, derivatives());
   const double duration = static_cast<double>(left_.rows() - 1) / rate_;
   const MatrixXd moments = duration * duration * columns.transpose() * columns,
                  slopes = duration * columns.transpose() * left_;
@@ -159,9 +133,9 @@ ExplainedSquares FitResidual::along_laws(Index pole, const std::vector<double>& 
       const double t = time(i) - largest_at;
       turned_motion(i) *= (std::abs(rate * t) > 1e-9 ? std::expm1(rate * t) / rate : t) / time(rows - 1);
     }
-    columns.middleCols(2 * (n + k - 1), 2) = real_columns(turned_motion);
+    columns.middleCols(2 * (n + k - 1), 2) = motion_columns(turned_motion);
   }
-  columns = projected(columns);
+  columns = without_span(basis_, columns);
   const MatrixXd moments = columns.transpose() * columns, slopes = columns.transpose() * left_;
   const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
   if (!(most > 0)) return {0, law_freedom};

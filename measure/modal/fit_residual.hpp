@@ -56,7 +56,6 @@ class FitResidual {
 
  private:
   Eigen::MatrixXd derivatives() const;
-  Eigen::MatrixXd projected(const Eigen::MatrixXd& columns) const;
   Eigen::MatrixXd power_columns(Eigen::Index pole, Eigen::Index powers) const;
 
   PoleFit fit_;

@@ -236,6 +236,22 @@ SurveyMode impact_mode(const StableMode& stable, const ImpactModes& found, std::
   return mode;
 }
 
+// What the swings show and the frequency responses do not: those of few blows, or of blows in a row, are the
+// noisier.
+void add_swinging(ModalSurvey& survey, const MotionsBeside& beside) {
+  const auto p = static_cast<Index>(survey.channels.size());
+  const FreeMotions motions = beside.motions(4000 / p + 2 * survey.options.largest_order);
+  StabilisationDiagram found = diagram_of(survey, as_references(motions), motions.sample_rate_hz, false);
+  StabilisationDiagram& all = survey.diagram;
+  for (const auto& [from, to] : {std::pair(&found.modes, &all.modes), std::pair(&found.others, &all.others)})
+    for (StableMode& mode : *from) {
+      const auto same = [&](const StableMode& known) { return same_pole(known, mode, all.options); };
+      if (std::none_of(all.modes.begin(), all.modes.end(), same) &&
+          std::none_of(all.others.begin(), all.others.end(), same))
+        to->push_back(std::move(mode));
+    }
+}
+
 // The swings after the blows, or where they are many some of them, spread over the campaign: signals enough to tell
 // noise from motion, and not so many that the fits take long.
 void keep_supported_by_swings(ModalSurvey& survey, const SurveyRecords& records) {
@@ -253,6 +269,7 @@ void keep_supported_by_swings(ModalSurvey& survey, const SurveyRecords& records)
     const FreeSwing& swing = swings[i * swings.size() / count];
     beside.add(swing.head, swing.sample_rate_hz, swing.group, false);
   }
+  add_swinging(survey, beside);
   keep_supported(survey, beside.motions());
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "measure/modal/short_problem.hpp"
 #include "numerics/nonlinear_fit.hpp"
 
 namespace secular {
@@ -139,8 +140,7 @@ MatrixXd turn_of(const Eigen::Ref<const VectorXd>& coefficients, const VectorXd&
 
 // Variable projection with Kaufman's Jacobian J. Its rows (samples x signals) are never formed: all of them are
 // combinations of the projected derivatives, whose moments give J^T J = H and J^T r = g. The fit sees the shorter
-// problem of the same H, g and |r|: with H = V S^2 V^T the rows S V^T, the residual S^-1 V^T g, and one entry more
-// for the rest of |r|.
+// problem of the same H, g and |r|.
 FitReport refine_once(const Separable& problem, const VectorXd& weight, const VectorXcd& start) {
   const Index n = start.size(), rows = problem.data.rows(), signals = problem.data.cols();
   const MatrixXd data = problem.data * weight.asDiagonal();
@@ -178,17 +178,7 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
       hessian += turn.transpose() * (moments * turn);
       gradient += turn.transpose() * slopes.col(s);
     }
-    const VectorXd length = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt(), shorten = length.cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(
-        MatrixXd(shorten.asDiagonal() * hessian * shorten.asDiagonal()));
-    const VectorXd singular = spectrum.eigenvalues().cwiseMax(0).cwiseSqrt();
-    VectorXd along = spectrum.eigenvectors().transpose() * shorten.cwiseProduct(gradient);
-    for (Index i = 0; i < 2 * n; ++i)
-      along(i) = singular(i) > 1e-7 * singular(2 * n - 1) ? along(i) / singular(i) : 0;  // below: rounding
-    jacobian.topRows(2 * n) = singular.asDiagonal() * spectrum.eigenvectors().transpose() * length.asDiagonal();
-    jacobian.row(2 * n).setZero();
-    residual.head(2 * n) = along;
-    residual(2 * n) = std::sqrt(std::max(0.0, left.squaredNorm() - along.squaredNorm()));
+    fill_short_problem(hessian, gradient, left.squaredNorm(), residual, jacobian);
   };
   FitReport report = nonlinear_fit(function, 2 * n + 1, VectorXd::Zero(2 * n), 60);
   for (Index r = 0; r < n; ++r) {

@@ -6,9 +6,12 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "measure/modal/amplitude_motion.hpp"
+#include "measure/modal/close_poles.hpp"
 #include "measure/modal/fit_residual.hpp"
 #include "measure/modal/noise_whitening.hpp"
 #include "measure/modal/pole_fit.hpp"
@@ -28,6 +31,8 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr auto& amplitude_change_false_alarm = measure_thresholds().amplitude_change_false_alarm;
+constexpr double least_at_null = 0.04;  // modes half as far apart as they are wide: exp(-pi)
+constexpr int highest_degree = 3;       // of a law of amplitude that two modes are held against
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 const std::string of_noise = "explains no more of the records than noise does";
@@ -114,6 +119,7 @@ class Selection {
     drop_unrepeated();
     drop_wide();
     whiten_by_chosen();
+    split_close();
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
       PoleSupport& s = support_[chosen_[i]];
       const auto row = static_cast<Index>(i);
@@ -209,12 +215,147 @@ class Selection {
     const MatrixXd before = samples_;
     whiten(FitResidual(motions_.samples, motions_.sample_rate_hz, fit).noise());
     PoleFit again = refined(fit_.poles);
-    bool stray = false;
-    for (Index r = 0; r < again.poles.size(); ++r) stray = stray || nearest(fit_.poles, again.poles(r)) != r;
-    if (stray)
+    if (strayed_from(fit_.poles, again.poles))
       samples_ = before;
     else
       fit_of_values_ = std::move(again);
+  }
+
+  // Two modes that were seen as one.
+  void split_close() {
+    if (chosen_.empty()) return;
+    const MatrixXd before = samples_;
+    std::set<std::size_t> judged;
+    find_pairs();
+    bool any = false, again = true;
+    while (again && chosen_.size() < most_) {
+      again = false;
+      whiten_beside(all_pairs());
+      const PoleFit fit = refined(fit_of_values_.poles);
+      if (strayed_from(fit_of_values_.poles, fit.poles)) break;
+      for (const Index row : poles_with_excess(fit)) {
+        if (!judged.insert(chosen_[static_cast<std::size_t>(row)]).second || !split(fit, row)) continue;
+        again = any = true;
+        break;
+      }
+    }
+    samples_ = before;
+    if (any) whiten_by_chosen();
+  }
+
+  // By pole of the fit two poles near it that explain most of the samples as they are.
+  void find_pairs() {
+    const PoleFit raw = fit_residues(motions_.samples, motions_.sample_rate_hz, fit_of_values_.poles);
+    for (Index r = 0; r < raw.poles.size(); ++r) {
+      const auto [first, second] = closest_pair(motions_.samples, motions_.sample_rate_hz, raw, r);
+      pairs_.push_back({first, second});
+    }
+  }
+
+  // What is left of two motions, as large and decaying at the mean rate, where their beat is null for the first
+  // time. Before, they decay like one whose damping changes with amplitude.
+  static double beat_left(Complex first, Complex second) {
+    const double rate = std::abs(first.real() + second.real()) / 2;
+    return std::exp(-std::numbers::pi * rate / std::abs(first.imag() - second.imag()));
+  }
+
+  // Of all poles but that at `without`.
+  std::vector<Complex> all_pairs(std::size_t without = std::numeric_limits<std::size_t>::max()) const {
+    std::vector<Complex> all;
+    for (std::size_t r = 0; r < pairs_.size(); ++r)
+      if (r != without) all.insert(all.end(), pairs_[r].begin(), pairs_[r].end());
+    return all;
+  }
+
+  // The noise is what is left beside two poles in the place of each, whether or not there are two: a second mode is
+  // no noise.
+  void whiten_beside(std::vector<Complex> poles) {
+    if (4 * static_cast<Index>(poles.size()) > motions_.samples.rows()) poles.resize(chosen_.size());
+    const PoleFit raw = fit_residues(motions_.samples, motions_.sample_rate_hz, as_vector(poles));
+    const FitResidual residual(motions_.samples, motions_.sample_rate_hz, raw);
+    whiten({residual.left(), 2 * raw.poles.size() + 1});
+  }
+
+  // Whether more than noise is left near a pole, (M6), at the level over `poles` of them; by how much, or zero.
+  static double excess_near(const FitResidual& residual, Index pole, std::size_t poles) {
+    double excess = 0;
+    for (const ExplainedSquares& squares : residual.along_powers(pole))
+      if (static_cast<double>(poles) * squares.probability() < amplitude_change_false_alarm)
+        excess = std::max(excess, squares.gain - squares.freedom);
+    return excess;
+  }
+
+  // The largest excess first.
+  std::vector<Index> poles_with_excess(const PoleFit& fit) const {
+    const FitResidual residual(samples_, motions_.sample_rate_hz, fit);
+    std::vector<std::pair<double, Index>> by_excess;
+    for (Index r = 0; r < fit.poles.size(); ++r)
+      if (const double excess = excess_near(residual, r, chosen_.size()); excess > 0)
+        by_excess.emplace_back(-excess, r);
+    std::sort(by_excess.begin(), by_excess.end());
+    std::vector<Index> rows;
+    for (const auto& [excess, row] : by_excess) rows.push_back(row);
+    return rows;
+  }
+
+  double squares(const PoleFit& fit) const { return left_by(samples_, fit).sum(); }
+
+  // Two motions of constant frequency and damping in the place of one, where they leave no more than noise there
+  // and are the better explanation by Schwarz's criterion than one that may change with amplitude.
+  bool split(const PoleFit& fit, Index row) {
+    const MatrixXd before = samples_;
+    PoleFit pair = refined(with_pair(fit.poles, row, closest_pair(samples_, motions_.sample_rate_hz, fit, row)));
+    const Index last = pair.poles.size() - 1;
+    std::vector<Complex> all = {pair.poles(row), pair.poles(last)};
+    for (const Complex pole : all_pairs(static_cast<std::size_t>(row))) all.push_back(pole);
+    whiten_beside(std::move(all));
+    pair = refined(pair.poles);
+    const PoleFit one = refined(fit.poles);
+    if (strayed_from(fit.poles, one.poles) || strayed_from(fit.poles, pair.poles) || !two_stand(pair, one, row)) {
+      samples_ = before;
+      return false;
+    }
+    const std::size_t seen_as = chosen_[static_cast<std::size_t>(row)];
+    const int first = support_[seen_as].beside;
+    chosen_.push_back(support_.size());
+    support_.emplace_back().beside = first < 0 ? static_cast<int>(seen_as) : first;
+    pairs_[static_cast<std::size_t>(row)] = {pair.poles(row)};
+    pairs_.push_back({pair.poles(last)});
+    fit_ = fit_of_values_ = std::move(pair);
+    return true;
+  }
+
+  // `pair`: with two poles, at `row` and the last, in the place of that at `row` of `one`.
+  bool two_stand(const PoleFit& pair, const PoleFit& one, Index row) const {
+    const Index last = pair.poles.size() - 1;
+    if (!(beat_left(pair.poles(row), pair.poles(last)) > least_at_null)) return false;
+    const double price = std::log(static_cast<double>(samples_.size())), left = squares(pair);
+    const double with_two = left + static_cast<double>(2 + 2 * samples_.cols()) * price;
+    double rival = squares(one);
+    if (!(with_two < rival) || !significant(rival - left)) return false;
+    const FitResidual residual(samples_, motions_.sample_rate_hz, pair);
+    for (const Index r : {row, last})
+      if (!(std::max(pair.growth_sd(r), pair.omega_sd(r)) < width(pair.poles(r))) || !has_peak(pair.poles(r)) ||
+          nearest(one.poles, pair.poles(r)) != row || excess_near(residual, r, 2) > 0)
+        return false;
+    MotionBeside motion{
+        samples_, motions_.channels, motions_.sample_rate_hz, without(one.poles, row), one.poles(row), {}};
+    for (Index s = 0; s < samples_.cols(); s += motions_.channels)
+      motion.amplitudes.push_back(one.residues.row(row).segment(s, motions_.channels).norm());
+    // A law explains as much as any of lower degree.
+    const double most = squares_left_by_law(motion, highest_degree, rival);
+    rival = std::min(rival, most + 2 * highest_degree * price);
+    for (int degree = 1; degree < highest_degree && with_two < rival && most + 2 * degree * price < with_two;
+         ++degree)
+      rival = std::min(rival, squares_left_by_law(motion, degree, rival) + 2 * degree * price);
+    return with_two < rival;
+  }
+
+  // Whether one of the poles is nearer to another's place than to its own.
+  static bool strayed_from(const VectorXcd& places, const VectorXcd& poles) {
+    for (Index r = 0; r < places.size(); ++r)
+      if (nearest(places, poles(r)) != r) return true;
+    return false;
   }
 
   static Index nearest(const VectorXcd& poles, Complex pole) {
@@ -290,14 +431,14 @@ class Selection {
     return false;
   }
 
-  VectorXcd without(Index row) const {
-    VectorXcd poles(fit_.poles.size() - 1);
-    poles << fit_.poles.head(row), fit_.poles.tail(poles.size() - row);
+  static VectorXcd without(const VectorXcd& all, Index row) {
+    VectorXcd poles(all.size() - 1);
+    poles << all.head(row), all.tail(poles.size() - row);
     return poles;
   }
 
   void drop(Index row, const std::string& reason) {
-    const VectorXcd others = without(row);
+    const VectorXcd others = without(fit_.poles, row);
     const auto at = chosen_.begin() + row;
     support_[*at].reason = reason;
     chosen_.erase(at);
@@ -310,11 +451,11 @@ class Selection {
       Index least = 0;
       double cost = std::numeric_limits<double>::infinity();
       for (Index r = 0; r < fit_.poles.size(); ++r) {
-        const double sum = left_by(samples_, residues(without(r))).sum();
+        const double sum = left_by(samples_, residues(without(fit_.poles, r))).sum();
         if (sum < cost) least = r;
         cost = std::min(cost, sum);
       }
-      if (significant(left_by(samples_, refined(without(least))).sum() - left().sum())) return;
+      if (significant(left_by(samples_, refined(without(fit_.poles, least))).sum() - left().sum())) return;
       drop(least, of_noise);
     }
   }
@@ -340,7 +481,7 @@ class Selection {
 
   void drop_unrepeated() {
     for (Index r = fit_.poles.size(); r-- > 0;) {
-      const VectorXd rest = chosen_.size() > 1 ? left_by(samples_, residues(without(r))) : nothing_;
+      const VectorXd rest = chosen_.size() > 1 ? left_by(samples_, residues(without(fit_.poles, r))) : nothing_;
       if (!repeats(rest - left())) drop(r, once);
     }
   }
@@ -380,8 +521,9 @@ class Selection {
   MatrixXd samples_;               // whitened
   VectorXd nothing_;               // sums of squares about the mean, by signal
   std::vector<std::size_t> chosen_;
-  PoleFit fit_;            // of the chosen ones
-  PoleFit fit_of_values_;  // the same in noise that holds nothing of what it lacks
+  std::vector<std::vector<Complex>> pairs_;  // in the place of each of the chosen ones
+  PoleFit fit_;                              // of the chosen ones
+  PoleFit fit_of_values_;                    // the same in noise that holds nothing of what it lacks
 };
 
 }  // namespace

@@ -29,6 +29,7 @@ struct PoleSupport {
   std::vector<double> amplitudes;  ///< by record, at its first row: root of the sum of squares over channels
   bool more_than_noise = false;    ///< is left near the pole: Eqs. (M5), (M6)
   bool all_constant = true;        ///< no pole of the fit leaves more than noise
+  int beside = -1;                 ///< of a second mode that was seen as one with a candidate: place of that
 };
 
 /// Which of the candidates are motion and not noise. The noise is what all of them together leave, and its colour
@@ -38,7 +39,8 @@ struct PoleSupport {
 /// every pole that the records can tell apart, and must stay below `false_alarm`. The poles that stand are left out
 /// again in turn, since of two that lie close the first may have served for both. Where records repeat each other
 /// (one group), the one that shows a pole most is left out, and the others must still show it. A pole whose error
-/// bar is as wide as its resonance says nothing. Channels that
+/// bar is as wide as its resonance says nothing. Where more than noise is left near a pole, two in its place are
+/// held against one that changes with amplitude, Eq. (M9): second modes follow behind the candidates. Channels that
 /// are sums of others, or constant, do not count. `progress` hears which share of the candidates is decided on.
 std::vector<PoleSupport> pole_support(const FreeMotions& motions,
                                       const std::vector<std::complex<double>>& candidates,

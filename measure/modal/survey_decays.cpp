@@ -56,14 +56,6 @@ class DecaySpectrum {
   VectorXd power_;
 };
 
-ResponseSequence as_references(const FreeMotions& motions) {
-  ResponseSequence responses(static_cast<std::size_t>(motions.samples.rows()));
-  for (Index k = 0; k < motions.samples.rows(); ++k)
-    responses[static_cast<std::size_t>(k)] =
-        motions.samples.row(k).reshaped(motions.channels, motions.samples.cols() / motions.channels);
-  return responses;
-}
-
 // Noise fills all rows of a Hankel matrix, a motion only those before it is over: what lasts a quarter of the rows
 // and less stands out better without the others. Of heads a quarter as long each time, down to those of which a
 // matrix of the largest order is square, the poles that are over in them (a time constant below a quarter) and that

@@ -1,5 +1,6 @@
 #include "measure/modal/survey_poles.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,9 +9,55 @@
 
 #include "measure/modal/mode_scaling.hpp"
 #include "measure/modal/pole.hpp"
+#include "measure/modal/pole_fit.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
+namespace {
+
+using Eigen::Index;
+
+// A mode that the diagram showed as one with a candidate, and the shapes (channels, residues) of the candidate and
+// of itself, each of what its residues in all records have most in common.
+struct TwoInOne {
+  PoleSupport support;
+  std::size_t seen_as;
+  Eigen::VectorXcd shapes[2];
+};
+
+std::vector<TwoInOne> two_in_one(const FreeMotions& motions, const std::vector<PoleSupport>& support,
+                                 std::size_t candidates) {
+  std::vector<TwoInOne> found;
+  if (support.size() == candidates) return found;
+  std::vector<std::complex<double>> poles;
+  std::vector<Index> row(support.size(), -1);
+  for (std::size_t i = 0; i < support.size(); ++i) {
+    if (!support[i].stands) continue;
+    row[i] = static_cast<Index>(poles.size());
+    poles.push_back(support[i].value);
+  }
+  const PoleFit fit =
+      fit_residues(motions.samples, motions.sample_rate_hz,
+                   Eigen::Map<const Eigen::VectorXcd>(poles.data(), static_cast<Index>(poles.size())));
+  const auto shape = [&](std::size_t i) -> Eigen::VectorXcd {
+    const Eigen::MatrixXcd residues =
+        fit.residues.row(row[i]).reshaped(motions.channels, motions.samples.cols() / motions.channels);
+    const Eigen::BDCSVD<Eigen::MatrixXcd> svd(residues, Eigen::ComputeThinU);
+    return svd.singularValues()(0) * svd.matrixU().col(0);
+  };
+  for (std::size_t i = candidates; i < support.size(); ++i) {
+    const auto first = static_cast<std::size_t>(support[i].beside);
+    if (support[i].stands && support[first].stands) found.push_back({support[i], first, {shape(first), shape(i)}});
+  }
+  return found;
+}
+
+void set_shape(StableMode& mode, const Eigen::VectorXcd& residues) {
+  mode.shape = residues;
+  mode.strength = residues.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
 
 StabilisationDiagram diagram_of(const ModalSurvey& survey, const ResponseSequence& responses, double rate,
                                 bool feedthrough) {
@@ -22,6 +69,14 @@ StabilisationDiagram diagram_of(const ModalSurvey& survey, const ResponseSequenc
   const HankelSize size =
       hankel_size(samples, responses.front().rows(), responses.front().cols(), options.largest_order, feedthrough);
   return stabilisation_diagram(EigensystemRealization(responses, rate, feedthrough, size), options);
+}
+
+ResponseSequence as_references(const FreeMotions& motions) {
+  ResponseSequence responses(static_cast<std::size_t>(motions.samples.rows()));
+  for (Eigen::Index k = 0; k < motions.samples.rows(); ++k)
+    responses[static_cast<std::size_t>(k)] =
+        motions.samples.row(k).reshaped(motions.channels, motions.samples.cols() / motions.channels);
+  return responses;
 }
 
 void keep_strongest(const std::vector<StabilisationDiagram*>& diagrams, int count) {
@@ -43,16 +98,31 @@ void keep_supported(ModalSurvey& survey, const FreeMotions& motions) {
   std::vector<std::complex<double>> candidates;
   for (const std::vector<StableMode>* list : lists)
     for (const StableMode& mode : *list) candidates.push_back(mode.pole);
-  std::vector<PoleSupport> support = pole_support(motions, candidates, 0.01, [&survey](double share) {
+  const std::vector<PoleSupport> support = pole_support(motions, candidates, 0.01, [&survey](double share) {
     if (survey.options.progress) survey.options.progress(static_cast<std::size_t>(100 * share), 100);
   });
-  std::size_t next = 0;
+  const std::vector<TwoInOne> seconds = two_in_one(motions, support, candidates.size());
+  std::size_t first = 0;
   for (std::vector<StableMode>* list : lists) {
-    for (StableMode& mode : *list) {
-      mode.support = std::move(support[next++]);
-      if (!mode.support.stands) survey.dropped.push_back({mode.pole, mode.support.reason});
+    const std::size_t count = list->size();
+    for (std::size_t i = 0; i < count; ++i) (*list)[i].support = support[first + i];
+    for (const TwoInOne& second : seconds) {
+      if (second.seen_as < first || second.seen_as >= first + count) continue;
+      StableMode& known = (*list)[second.seen_as - first];
+      StableMode mode = known;
+      set_shape(known, second.shapes[0]);
+      set_shape(mode, second.shapes[1]);
+      mode.support = second.support;
+      mode.pole = mode.support.value;
+      list->push_back(std::move(mode));
     }
+    first += count;
+    for (const StableMode& mode : *list)
+      if (!mode.support.stands) survey.dropped.push_back({mode.pole, mode.support.reason});
     std::erase_if(*list, [](const StableMode& mode) { return !mode.support.stands; });
+    std::sort(list->begin(), list->end(), [](const StableMode& a, const StableMode& b) {
+      return natural_frequency(a.pole) < natural_frequency(b.pole);
+    });
   }
   std::sort(survey.dropped.begin(), survey.dropped.end(), [](const DroppedPole& a, const DroppedPole& b) {
     return natural_frequency(a.pole) < natural_frequency(b.pole);

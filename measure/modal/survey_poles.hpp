@@ -15,6 +15,9 @@ namespace secular {
 StabilisationDiagram diagram_of(const ModalSurvey& survey, const ResponseSequence& responses, double rate,
                                 bool feedthrough);
 
+/// Each record a reference of its own.
+ResponseSequence as_references(const FreeMotions& motions);
+
 /// The strongest `count` of the modes of all diagrams stay, the rest goes to the others of each; zero: all stay.
 void keep_strongest(const std::vector<StabilisationDiagram*>& diagrams, int count);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "input/stop_request.hpp"
 #include "motion/balance/balance_sweep.hpp"
 #include "numerics/anderson_acceleration.hpp"
 
@@ -65,6 +66,7 @@ Motion MotionBalance::solve(const MotionSetting& setting, const VectorXcd& ampli
   MatrixXcd residual;
   VectorXd lines = gathered(slaves, motion.displacement);
   for (int i = 0; i < iteration_limit; ++i) {
+    end_if_stopped();
     residual = sweep.residual(sweep.path(motion.displacement), parameters);
     const VectorXd step = BalanceSweep::steps(slaves, residual);
     if (!step.allFinite()) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "input/stop_request.hpp"
 #include "motion/integrate/jumping_motion.hpp"
 #include "motion/integrate/motion_flow.hpp"
 #include "motion/integrate/runge_kutta.hpp"
@@ -114,6 +115,7 @@ std::vector<StretchOfMotion> follow(Stepper& stepper, std::vector<Number> state,
   for (Index i = 0; i < pace.samples; ++i) {
     const auto begin = static_cast<double>(2 * i);
     stepper.begin(begin, state);
+    end_if_stopped();
     records.take(i, state, stepper.rate());
     if (i + 1 == pace.samples) break;
     for (int s = 0; s < pace.substeps; ++s)

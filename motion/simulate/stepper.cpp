@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "input/stop_request.hpp"
 #include "motion/simulate/dormand_prince_87.hpp"
 
 namespace secular {
@@ -105,6 +106,7 @@ class HighOrderStepper final : public Stepper {
     previous_ = time_;
     rate_ = &rate;
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      end_if_stopped();
       const double rest = target - previous_;
       double step = std::min(wanted_, longest_);
       const bool last = rest > 0 && rest <= step * (1 + 1e-9);

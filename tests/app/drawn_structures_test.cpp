@@ -1,7 +1,7 @@
 // Structures of the blind check with nothing withheld: a generator and an integrator that share no code with the
-// estimator, numbers that nobody chose, decays beside dwells, real channels. SECULAR_COVERAGE_STRUCTURES asks for more
-// structures of each family than the few of a test run, SECULAR_COVERAGE_DB for another noise than 50 dB below the
-// responses, where what the expansion leaves out would be far larger than the error bars.
+// estimator, numbers that nobody chose, decays beside dwells, real channels. SECULAR_COVERAGE_STRUCTURES asks for
+// more structures of each family than the few of a test run, SECULAR_COVERAGE_DB for another noise than 50 dB below
+// the responses, where what the expansion leaves out would be far larger than the error bars.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "app/shared/identification.hpp"
 #include "blind/sealed_campaign.hpp"
 #include "blind/sealed_files.hpp"
+#include "jobs/identify/identification.hpp"
 #include "numerics/confidence.hpp"
 #include "tests/process_folder.hpp"
 
@@ -75,10 +75,9 @@ TEST(SlowDrawnStructures, IntervalsHoldTheTruth) {
       const fs::path place = testing_support::process_folder() / family;
       blind::write_sealed(sealed, 9, place);
       IdentificationRequest request;
-      request.campaign = (place / "campaign").string();
       request.model = (place / "model.toml").string();
       request.threads = 2;
-      const Estimate estimate = identify(request).estimate;
+      const Estimate estimate = identify(request, read_campaign(place / "campaign")).estimate;
       bool misfit = false;
       for (const CaseLackOfFit& of_case : estimate.lack_of_fit)
         for (const LackOfFit& test : of_case.equations) {

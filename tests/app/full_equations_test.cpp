@@ -1,5 +1,5 @@
 // Numbers by the full equations of motion: sweeps, broadband records and impacts, alone and with dwells and decays.
-#include "app/identify/full_equations.hpp"
+#include "jobs/identify/full_equations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -130,19 +130,19 @@ TEST_F(FullEquations, TellANumberFromABroadbandRecord) {
 
 TEST_F(FullEquations, CountTheirFits) {
   simulate(broadband_record);
-  app::IdentificationRequest request;
-  request.campaign = path("campaign");
+  IdentificationRequest request;
   request.model = path("model.toml");
   request.interpret = true;
   request.window.to_s = 2;
   std::size_t fits = 0, of = 1;
-  app::identify_by_full_equations(request, [&](std::size_t done, std::size_t expected) {
+  request.progress = [&](std::size_t done, std::size_t expected) {
     EXPECT_TRUE(done == fits || done == fits + 1) << fits << " to " << done;
     EXPECT_NE(fits, of) << "counted on behind the end";
     fits = done;
     of = expected;
     EXPECT_LE(fits, of);
-  });
+  };
+  identify_by_full_equations(request, read_campaign(path("campaign")));
   EXPECT_GT(fits, 4U);  // one for each width of errors, at least
   EXPECT_EQ(fits, of);
 }

@@ -11,8 +11,8 @@
 #include <map>
 #include <string>
 
-#include "app/shared/identification.hpp"
-#include "app/simulate/experiment_loading.hpp"
+#include "jobs/identify/identification.hpp"
+#include "jobs/simulate/experiment_loading.hpp"
 #include "numerics/confidence.hpp"
 #include "tests/process_folder.hpp"
 #include "tests/sensor_noise.hpp"
@@ -54,7 +54,7 @@ class HardCampaign {
         << "\n[[response]]\nname = \"x\"\nquantity = \"displacement\"\nunit = \"m\"\nnoise_sd = " << test.noise
         << "\n[[dwell]]\n"
         << test.dwells << "\n";
-    const LoadedExperiment loaded = load_experiment(folder_ / "experiment.toml", false);
+    const LoadedExperiment loaded = load_experiment(folder_ / "experiment.toml", false, {});
     experiment_ = loaded.experiment;
     for (std::size_t p = 0; p < loaded.model->symbols.size(); ++p)
       truth_[std::string(loaded.model->symbols[p].name)] = experiment_.parameters(static_cast<Eigen::Index>(p));
@@ -63,14 +63,13 @@ class HardCampaign {
 
   Estimate identified(int draw) const {
     IdentificationRequest request;
-    request.campaign = "hard";
     request.model = (folder_ / "model.toml").string();
     request.threads = 2;
     const RecordReader read = [&](std::size_t r) {
       return testing_support::with_sensor_noise(exact_.samples[r], experiment_,
                                                 static_cast<std::uint64_t>(draw) + 1, r);
     };
-    return identify(request, exact_.campaign, read).estimate;
+    return identify_by_modulation(request, exact_.campaign, read).estimate;
   }
   const std::map<std::string, double>& truth() const { return truth_; }
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "app/diagnose/diagnosis_report.hpp"
-#include "app/diagnose/diagnosis_run.hpp"
-#include "app/simulate/experiment_loading.hpp"
 #include "codegen/canonical/canonical_model.hpp"
 #include "codegen/document/print_text.hpp"
 #include "effects/catalogue.hpp"
 #include "input/input_error.hpp"
+#include "jobs/diagnose/diagnosis_report.hpp"
+#include "jobs/diagnose/diagnosis_run.hpp"
+#include "jobs/simulate/experiment_loading.hpp"
 #include "measure/data/campaign_writer.hpp"
 #include "perturb/with_effects.hpp"
 #include "tests/campaign/temporary_folder.hpp"
@@ -99,7 +99,7 @@ class NewEffect : public TemporaryFolder {
   }
 
   LoadedExperiment loaded(const std::string& effect, const EffectCatalogue& catalogue) const {
-    return load_experiment(write("swings.toml", swings(effect)), true, catalogue);
+    return load_experiment(write("swings.toml", swings(effect)), true, {}, catalogue);
   }
 
   Diagnosis diagnosed(const std::string& effect, const EffectCatalogue& catalogue,
@@ -111,11 +111,10 @@ class NewEffect : public TemporaryFolder {
     };
     writer.finish(run_virtual_test(experiment, *model, 5, 1, keep, {}));
     DiagnosisRequest request;
-    request.campaign = (folder_ / "campaign").string();
     request.model = model_;
     request.catalogue = catalogue;
     request.without = without;
-    return run_diagnosis(request).diagnosis;
+    return run_diagnosis(request, read_campaign(folder_ / "campaign")).diagnosis;
   }
 
   std::string model_;

@@ -1,4 +1,4 @@
-#include "app/shared/shipped_models.hpp"
+#include "jobs/shared/shipped_models.hpp"
 
 #include <gtest/gtest.h>
 

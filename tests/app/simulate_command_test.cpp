@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "app/simulate/experiment_loading.hpp"
 #include "input/input_error.hpp"
+#include "jobs/simulate/experiment_loading.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/simulate/simulated_campaign.hpp"
@@ -80,7 +80,7 @@ class SimulateCommand : public TemporaryFolder {
  protected:
   LoadedExperiment loaded(const std::string& more, const std::string& settle_s) const {
     write("pair.toml", simulated_model_text);
-    return load_experiment(write("experiment.toml", simulated_experiment_text(more, settle_s)), true);
+    return load_experiment(write("experiment.toml", simulated_experiment_text(more, settle_s)), true, {});
   }
   SimulatedCampaign simulated(const std::string& more, unsigned threads = 1,
                               const std::string& settle_s = "0.25") const {

@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "app/procedure/thesis_procedures.hpp"
-#include "app/shared/identification.hpp"
-#include "app/shared/model_loading.hpp"
 #include "estimator/model/by_name.hpp"
+#include "jobs/identify/identification.hpp"
+#include "jobs/shared/model_loading.hpp"
 #include "motion/correction/observation_noise.hpp"
 #include "motion/correction/steady_set.hpp"
 #include "numerics/confidence.hpp"
@@ -51,15 +51,15 @@ class ThesisCampaign {
   Identification identification(int draw, const std::map<std::string, double>& fixed = {}) const {
     IdentificationRequest asked = request();
     asked.fixed = fixed;
-    if (draw != 0 || !fixed.empty()) return identify(asked, exact_.campaign, reader(draw));
+    if (draw != 0 || !fixed.empty()) return identify_by_modulation(asked, exact_.campaign, reader(draw));
     // The first draw is what most tests look at.
-    if (!first_) first_ = identify(asked, exact_.campaign, reader(draw));
+    if (!first_) first_ = identify_by_modulation(asked, exact_.campaign, reader(draw));
     return *first_;
   }
   Estimate identified_with_jitter(int draw) const {
     const RecordReader read = reader(draw);
     const RecordReader moved = [&](std::size_t r) { return testing_support::jittered(read(r), r); };
-    return identify(request(), exact_.campaign, moved).estimate;
+    return identify_by_modulation(request(), exact_.campaign, moved).estimate;
   }
   ProcedureRun procedures(int draw) const {
     ProcedureRequest asked;
@@ -82,7 +82,6 @@ class ThesisCampaign {
   }
   IdentificationRequest request() const {
     IdentificationRequest request;
-    request.campaign = experiment_.name;
     request.model = experiment_.model;
     request.threads = 2;
     request.refine = std::getenv("SECULAR_COVERAGE_REFINE") != nullptr;
@@ -105,7 +104,7 @@ class ThesisCampaign {
  private:
   ThesisCampaign(const std::string& name, const std::string& resonance)
       : experiment_(testing_support::shipped_experiment(name)),
-        model_(ModelSource(experiment_.model, false).load({resonance})) {
+        model_(ModelSource(experiment_.model, false, {}).load({resonance})) {
     Experiment quiet = testing_support::without_noise(experiment_);
     // Twenty minutes of settling take half as many steps so, and samples move by 3e-9 of the largest, less than a
     // millionth of the noise.

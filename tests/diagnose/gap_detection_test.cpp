@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <random>
 #include <vector>
 
 #include "diagnose/thresholds.hpp"
+#include "numerics/third_differences.hpp"
+#include "tests/signal/gaussian.hpp"
 
 namespace secular {
 namespace {
@@ -43,6 +46,45 @@ TEST(GapDetection, NoiseIsNoGap) {
   const double expected = campaigns * diagnose_thresholds().gap_alarm;
   EXPECT_LT(alarms, expected + 4 * std::sqrt(expected));
   EXPECT_GT(alarms, 0.7 * expected);
+}
+
+/// Evidence of so many rows in units of a noise that third differences of them show.
+struct MeasuredRows : Evidence {
+  Eigen::Index rows;
+  std::vector<RowLabel> none;
+
+  explicit MeasuredRows(Eigen::Index count) : rows(count) {}
+  Eigen::Index size() const override { return rows; }
+  Eigen::Index measured_rows() const override { return rows; }
+  const std::vector<RowLabel>& labels() const override { return none; }
+  void freeze(const Eigen::VectorXd& /*unknowns*/, double /*coarse*/) override {}
+  void evaluate(const Eigen::VectorXd& /*unknowns*/, Eigen::Ref<Eigen::VectorXd> all) const override {
+    all.setZero();
+  }
+};
+
+// White noise in units of what third differences of it show: as often as the law says. It is the law of many rows;
+// of 500, 6.4 % are below 5 %. (By chi-squared 8 % of many are.)
+TEST(GapDetection, NoiseThatIsMeasuredByTheSameRowsIsNoGap) {
+  constexpr int draws = 1500, rows = 5000;
+  Discrepancy evidence;
+  evidence.add(std::make_unique<MeasuredRows>(rows));
+  testing_support::Gaussian noise(3);
+  int below = 0;
+  for (int i = 0; i < draws; ++i) {
+    std::vector<double> series(rows);
+    double squares = 0, of_differences = 0;
+    for (double& value : series) {
+      value = noise();
+      squares += value * value;
+    }
+    const std::vector<double> third = third_differences(series);
+    for (const double d : third) of_differences += d * d;
+    const double level = of_differences / third_difference_variance / static_cast<double>(third.size());
+    if (detected_in(rows_left(squares / level, rows, evidence), Searched(0)).p_value < 2 * 0.05) ++below;
+  }
+  const double expected = draws * 0.05;
+  EXPECT_NEAR(below, expected, 3.5 * std::sqrt(expected));
 }
 
 TEST(GapDetection, EachOfTheThreeTestsSeesWhatIsItsOwn) {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "jobs/identify/identification.hpp"
+
+namespace secular {
+
+/// Of a campaign whose user does not say: the full ones where the window takes a sweep, a broadband record or an
+/// impact that a channel drives.
+Equations equations_for(const Campaign& campaign, const Window& window);
+
+/// Those of some records that the modulation equations say nothing of: sweeps and broadband records.
+std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::size_t> records);
+
+/// Fits the model to all records of the window by its full equations of motion. Where dwells or free decays are
+/// among them, the estimate by the modulation equations of these is the start; nominal values and natural
+/// frequencies found in the records are where there is none, or where that leads nowhere. Throws InputError.
+Identification identify_by_full_equations(const IdentificationRequest& request, const Campaign& campaign);
+
+/// "3 sweeps, 2 dwells": records by kind, in the order of their number.
+std::string records_in_words(const Campaign& campaign, const std::set<std::size_t>& records);
+
+}  // namespace secular

@@ -1,0 +1,91 @@
+#include "jobs/identify/full_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "jobs/identify/estimate_tables.hpp"
+#include "jobs/identify/full_equations.hpp"
+#include "jobs/shared/disturbance_output.hpp"
+#include "jobs/shared/record_figure.hpp"
+#include "report/html_report.hpp"
+#include "report/number_format.hpp"
+
+namespace secular {
+namespace {
+
+using report::Figure;
+using report::Series;
+using report::SeriesRole;
+using report::SeriesStyle;
+
+/// Records whose motion is shown.
+constexpr std::size_t most_stretches = 4;
+
+Figure stretch_figure(const ComparedStretch& stretch, const Campaign& campaign) {
+  Series measured{"measured", SeriesStyle::points, SeriesRole::data, {}, {}, {}, {}};
+  Series computed{"full equations", SeriesStyle::line, SeriesRole::model, {}, {}, {}, {}};
+  Series left{"measured minus computed", SeriesStyle::points, SeriesRole::data, {}, {}, {}, {}};
+  for (std::size_t i = 0; i < stretch.measured.size(); ++i) {
+    const double t = stretch.from_s + static_cast<double>(i) * stretch.sample_s;
+    for (Series* series : {&measured, &computed, &left}) series->x.push_back(t);
+    measured.y.push_back(stretch.measured[i]);
+    computed.y.push_back(stretch.computed[i]);
+    left.y.push_back(stretch.measured[i] - stretch.computed[i]);
+  }
+  const Channel& channel = campaign.channels[stretch.channel];
+  Figure figure;
+  figure.title = channel.name + " in " + campaign.records[stretch.record].file;
+  figure.x = {"Time", "s", false, {}};
+  figure.panels.push_back({"", {channel.name, channel.unit, false, {}}, {measured, computed}});
+  figure.panels.push_back({"", {"Left", channel.unit, false, {}}, {left}});
+  return figure;
+}
+
+}  // namespace
+
+Figure full_figure(const Identification& id) {
+  const FullEstimate& full = *id.full;
+  if (full.stretches.empty()) return record_figure(full.labels, full.rows);
+  return stretch_figure(full.stretches.front(), id.campaign);
+}
+
+std::string full_report(const Identification& id, const std::string& command) {
+  const FullEstimate& full = *id.full;
+  report::HtmlReport page(
+      "Identification of " + std::string(id.model->name),
+      "Campaign " + id.campaign.name + ", by the full equations: " + records_in_words(id.campaign, full.records));
+  for (const std::string& warning : id.estimate.warnings) page.warn(warning);
+  add_cards(page, id.estimate);
+  if (full.has_converged) {
+    const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
+    page.card({"Fit of all records", report::format_number(fit.misfit_ratio, 3) + " times repeatability",
+               fmt::format("p = {:.2g}{}", fit.p_value, fit.significant ? ", the model does not hold" : ""),
+               fit.significant ? report::Tone::caution : report::Tone::good});
+  }
+  page.section("Parameters");
+  page.paragraph(full.has_converged
+                     ? "Parameters of the model, fitted to all records at once by its full equations of motion: "
+                       "dwells by their lines, all others sample by sample from a state of each stretch's own. A "
+                       "parameter that is \"not identifiable\" moves nothing that was measured, or only together "
+                       "with those it is entangled with."
+                     : "The fit did not come to an end: there are no numbers.");
+  add_values(page, id.estimate, false);
+  page.section("Measured and computed");
+  for (std::size_t i = 0; i < std::min(most_stretches, full.stretches.size()); ++i)
+    page.figure(stretch_figure(full.stretches[i], id.campaign),
+                "The stretch of the record in which the motion is largest, and the full equations from the state "
+                "at its beginning.");
+  page.figure(record_figure(full.labels, full.rows),
+              "All rows of a record together. One is what repeatability leaves.");
+  if (!id.disturbances.empty()) page.section("Disturbances");
+  add_disturbances(page, id.disturbances, id.campaign);
+  add_null_directions(page, id.estimate);
+  page.provenance({command,
+                   report::program_version,
+                   {fmt::format("campaign {}, {} records, {} of the samples used", id.campaign.name,
+                                id.campaign.records.size(), report::format_percent(full.data_used))}});
+  return page.html();
+}
+
+}  // namespace secular

@@ -1,0 +1,143 @@
+#include "jobs/identify/identification.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "estimator/model/by_name.hpp"
+#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
+#include "jobs/identify/scatter_output.hpp"
+#include "jobs/shared/model_loading.hpp"
+#include "jobs/shared/record_assignment.hpp"
+#include "jobs/shared/record_selection.hpp"
+#include "measure/disturbances/disturbance_watch.hpp"
+#include "measure/observe/modal_projection.hpp"
+#include "motion/correction/free_phases.hpp"
+
+namespace secular {
+namespace {
+
+// Wall time by stage.
+class StageClock {
+ public:
+  explicit StageClock(std::vector<std::pair<std::string, double>>& seconds) : seconds_(seconds) {}
+
+  /// Time since the last call belongs to this stage.
+  void done(const std::string& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    const double passed = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    for (auto& [name, sum] : seconds_)
+      if (name == stage) {
+        sum += passed;
+        return;
+      }
+    seconds_.emplace_back(stage, passed);
+  }
+  /// Time since the last call belongs to none.
+  void skip() { last_ = std::chrono::steady_clock::now(); }
+
+ private:
+  std::vector<std::pair<std::string, double>>& seconds_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Identification identify_by_modulation(const IdentificationRequest& request, const Campaign& campaign) {
+  DisturbanceWatch watch(campaign);
+  SelectedRecords reader(campaign, request.window, watch.look());
+  reader.leave_clipped_out();
+  Identification result = identify_by_modulation(request, campaign, [&](std::size_t r) { return reader.read(r); });
+  for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
+  result.disturbances = watch.found();
+  list_clipped_as_left_out(result.disturbances);
+  for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
+  result.looked_at = watch.records();
+  return result;
+}
+
+Identification identify_by_modulation(const IdentificationRequest& request, const Campaign& measured,
+                                      const RecordReader& read) {
+  Identification result;
+  StageClock clock(result.seconds);
+  const ModelSource source(request.model, request.interpret, request.note);
+  for (const std::string& name : request.resonances) source.case_named(name);
+  result.campaign = measured;
+  const Campaign& campaign = result.campaign;
+  std::vector<double> nominal = source.nominal_frequencies();
+  nominal.resize(source.modes());
+  const FrequencyStarts starts =
+      frequency_starts(source, campaign, read, nominal, request.resonances, request.window);
+  const Assignment assignment = assign_records(source, campaign, starts, request.resonances, request.window);
+  result.model = with_starts(source.load(assignment.names), starts);
+  const CompiledModel& model = *result.model;
+  clock.done("model");
+  for (std::size_t c = 0; c < assignment.names.size(); ++c) {
+    const CompiledCase& resonance = case_named(model, assignment.names[c]);
+    Window window = request.window;
+    window.chosen = assignment.records[c];
+    window.threads = request.threads;
+    result.measured.push_back(resonance.excited ? observe_dwells(campaign, read, model, resonance, window)
+                                                : observe_free_decays(campaign, read, model, resonance, window));
+  }
+  clock.done("observation");
+  estimate_observed(request, result);
+  for (const auto* warnings : {&assignment.warnings, &starts.warnings})
+    result.estimate.warnings.insert(result.estimate.warnings.begin(), warnings->begin(), warnings->end());
+  clock.skip();
+  try {
+    for (const ObservationSet& set : result.measured)
+      if (!set.resonance->excited && model.modes() == 1)
+        for (std::size_t r = 0; r < campaign.records.size(); ++r)
+          if (auto prediction =
+                  predict_held_out_decay(campaign, read, set, r, result.estimate.parameter_values, request.window))
+            result.held_out.push_back(std::move(*prediction));
+  } catch (const NumericalFailure& failure) {
+    result.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + failure.what() +
+                                       ")");
+  }
+  clock.done("held out");
+  return result;
+}
+
+namespace {
+
+EstimateOptions options_of(const IdentificationRequest& request) {
+  EstimateOptions options;
+  options.fixed = request.fixed;
+  options.bootstrap = request.bootstrap;
+  options.seed = request.seed;
+  options.refine = request.refine;
+  options.threads = request.threads;
+  return options;
+}
+
+}  // namespace
+
+void estimate_observed(const IdentificationRequest& request, Identification& id) {
+  id.coordinate_unit = modal_projection(id.campaign, *id.model).unit;
+  id.excitation_units.clear();
+  if (std::any_of(id.measured.begin(), id.measured.end(),
+                  [](const ObservationSet& s) { return s.resonance->excited; }))
+    for (const std::size_t channel : excitation_channels(id.campaign, *id.model))
+      id.excitation_units.push_back(id.campaign.channels[channel].unit);
+  StageClock clock(id.seconds);
+  const EstimateTask task{
+      id.campaign, {id.coordinate_unit, id.excitation_units}, options_of(request), [&](const char* stage) {
+        clock.done(stage);
+      }};
+  try {
+    PhasedEstimate found = estimate_with_phases(id.measured, task);
+    id.estimate = std::move(found.of.estimate);
+    id.measured = std::move(found.of.measured);
+    id.replayed = std::move(found.of.replayed);
+    id.lateness = std::move(found.lateness);
+    id.freed = std::move(found.freed);
+  } catch (const NothingObserved& nothing) {  // here it is the campaign itself
+    throw InputError(id.campaign.folder.string(), "", nothing.what());
+  }
+}
+
+}  // namespace secular

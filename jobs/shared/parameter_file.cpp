@@ -1,0 +1,86 @@
+#include "jobs/shared/parameter_file.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "input/input_error.hpp"
+#include "jobs/shared/number_file.hpp"
+#include "jobs/shared/shipped_models.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string file_named(const std::string& path) {
+  std::error_code unreadable;
+  if (fs::is_regular_file(path, unreadable) || path.empty() || fs::path(path).is_absolute()) return path;
+  for (const fs::path& folder : model_folders()) {
+    const fs::path shipped = folder / (path + ".json");
+    if (fs::is_regular_file(shipped, unreadable)) return shipped.string();
+  }
+  return path;
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& place, const std::string& fault,
+                         const std::string& expected = "an estimate.json of `secular identify` was expected") {
+  throw InputError(path, place, fault, expected);
+}
+
+void read_representative(const nlohmann::json& entry, const std::string& path, GivenParameters& given) {
+  const std::string place = "key representative";
+  if (!entry.is_object() || !entry.contains("values") || !entry["values"].is_object() ||
+      !entry.contains("steady_motions_of") || !entry["steady_motions_of"].is_array())
+    refuse(path, place, "has no values and steady_motions_of");
+  for (const auto& [name, value] : entry["values"].items()) {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      refuse(path, place, "has a value that is not a number", "a number was expected for " + name);
+    given.representative[name] = value.get<double>();
+  }
+  for (const nlohmann::json& name : entry["steady_motions_of"]) {
+    if (!name.is_string()) refuse(path, place, "has a case that is no name");
+    given.identified_cases.insert(name.get<std::string>());
+  }
+}
+
+}  // namespace
+
+GivenParameters read_parameter_file(const std::string& name) {
+  const std::string path = file_named(name);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw InputError(path, "", "cannot be opened for reading", "a JSON file of symbol to number was expected");
+  return parameters_of({std::istreambuf_iterator<char>(stream), {}}, path);
+}
+
+GivenParameters parameters_of(const std::string& text, const std::string& path) {
+  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
+  GivenParameters given;
+  if (!document.is_object() || !document.contains("estimates")) {
+    given.values = numbers_of(text, path);
+    return given;
+  }
+  const nlohmann::json& estimates = document["estimates"];
+  if (!estimates.is_array()) refuse(path, "key estimates", "is not a list");
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const nlohmann::json& entry = estimates[i];
+    const std::string place = "estimates, entry " + std::to_string(i + 1);
+    if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string() || !entry.contains("value"))
+      refuse(path, place, "has no name and value");
+    if (entry["value"].is_null()) continue;
+    if (!entry["value"].is_number() || !std::isfinite(entry["value"].get<double>()))
+      refuse(path, place, "has a value that is not a number", "a number, or null, was expected");
+    const auto symbol = entry["name"].get<std::string>();
+    given.values[symbol] = entry["value"].get<double>();
+    if (entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0)
+      given.sd[symbol] = entry["sd"].get<double>();
+  }
+  if (document.contains("representative")) read_representative(document["representative"], path, given);
+  return given;
+}
+
+}  // namespace secular

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace secular {
+
+/// What a file tells of the symbols of a model.
+struct GivenParameters {
+  std::map<std::string, double> values;
+  std::map<std::string, double> sd;  ///< of an estimate
+  /// Of an estimate: of symbols that the data did not identify, values that go with all that they did.
+  std::map<std::string, double> representative;
+  /// Cases whose steady motions do not depend on which values those are.
+  std::set<std::string> identified_cases;
+};
+
+/// An estimate.json of `identify` or a plain JSON object of symbol to number; `path` is a file, or the name of a
+/// shipped one ("predictions/table_5_4"). Throws InputError naming the file, the place and what was expected.
+GivenParameters read_parameter_file(const std::string& path);
+/// The same of the text of such a file; `path`: what messages call it.
+GivenParameters parameters_of(const std::string& text, const std::string& path);
+
+}  // namespace secular

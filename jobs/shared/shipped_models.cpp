@@ -1,0 +1,73 @@
+#include "jobs/shared/shipped_models.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "input/input_error.hpp"
+#include "jobs/shared/install_layout.hpp"
+
+namespace secular {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code unreadable;
+  return fs::is_regular_file(path, unreadable);
+}
+
+fs::path folder_that_was_set;
+
+}  // namespace
+
+fs::path program_folder() {
+  if (!folder_that_was_set.empty()) return folder_that_was_set;
+  std::error_code unknown;
+  return fs::read_symlink("/proc/self/exe", unknown).parent_path();
+}
+
+void set_program_folder(const fs::path& folder) {
+  folder_that_was_set = folder;
+}
+
+std::vector<fs::path> model_folders() {
+  std::vector<fs::path> folders;
+  const char* const chosen = std::getenv("SECULAR_MODELS");
+  if (chosen != nullptr && *chosen != '\0') folders.emplace_back(chosen);
+  if (const fs::path program = program_folder(); !program.empty())
+    folders.push_back((program / models_from_program_folder).lexically_normal());
+  folders.emplace_back(models_in_source_tree);
+  return folders;
+}
+
+std::vector<std::string> shipped_models() {
+  std::vector<std::string> names;
+  for (const fs::path& folder : model_folders()) {
+    std::error_code unreadable;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable))
+      if (entry.path().extension() == ".toml" && is_file(entry.path()))
+        names.push_back(entry.path().stem().string());
+    if (!unreadable) break;
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path resolve_model(const std::string& name_or_path) {
+  if (is_file(name_or_path)) return name_or_path;
+  if (!name_or_path.empty() && fs::path(name_or_path).is_relative())
+    for (const fs::path& folder : model_folders()) {
+      const fs::path file = folder / (name_or_path + ".toml");
+      if (is_file(file)) return file;
+    }
+  const std::vector<std::string> names = shipped_models();
+  throw InputError(name_or_path, "", "neither a file nor the name of a shipped model",
+                   names.empty() ? "no shipped models were found; SECULAR_MODELS can name their folder"
+                                 : fmt::format("shipped models: {}", fmt::join(names, ", ")));
+}
+
+}  // namespace secular

@@ -1,0 +1,63 @@
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "jobs/derive/derivation.hpp"
+#include "jobs/shared/model_loading.hpp"
+#include "jobs/shared/shipped_models.hpp"
+#include "python/module/bindings.hpp"
+#include "python/module/running.hpp"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace secular::python {
+namespace {
+
+// {"name", "cases", "natural_frequencies", "nominal"}
+py::dict outline(const std::string& model) {
+  const ModelSource source = computed([&] { return ModelSource(model, false, {}); });
+  std::vector<std::string> cases;
+  for (const CaseOutline& one : source.cases()) cases.push_back(one.name);
+  std::vector<double> nominal = source.nominal_frequencies();
+  nominal.resize(source.modes());
+  return py::dict("name"_a = source.name(), "cases"_a = cases, "natural_frequencies"_a = source.frequency_names(),
+                  "nominal"_a = nominal);
+}
+
+std::shared_ptr<CanonicalModel> derived(const std::string& model, const std::string& resonance,
+                                        const std::vector<std::string>& effects) {
+  DerivationRequest request;
+  request.model = model;
+  request.resonance = resonance;
+  request.effects = effects;
+  return std::make_shared<CanonicalModel>(computed([&] { return derive(request); }));
+}
+
+std::vector<std::string> warnings_of(const CanonicalModel& model) {
+  std::vector<std::string> all;
+  for (const CanonicalCase& resonance : model.cases)
+    all.insert(all.end(), resonance.warnings.begin(), resonance.warnings.end());
+  return all;
+}
+
+}  // namespace
+
+void add_model(py::module_& module) {
+  module.def("shipped_models", &shipped_models);
+  module.def("outline", &outline, "model"_a);
+  py::class_<CanonicalModel, std::shared_ptr<CanonicalModel>>(module, "Derivation")
+      .def(
+          "document",
+          [](const CanonicalModel& model, const std::string& format) {
+            return computed([&] { return derivation_document(model, format); });
+          },
+          "format"_a)
+      .def_property_readonly("certified", &is_certified)
+      .def_property_readonly("warnings", &warnings_of);
+  module.def("derive", &derived, "model"_a, "case"_a, "effects"_a);
+}
+
+}  // namespace secular::python
