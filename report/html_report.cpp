@@ -89,11 +89,12 @@ bool is_number(std::string_view text) {
   return !text.empty() && text.front() >= '0' && text.front() <= '9';
 }
 
-/// Of a cell: numbers and short texts keep to one line.
+/// Of a cell: numbers, names of files and the like, and short texts keep to one line.
 std::string_view cell_class(Column::Kind kind, std::string_view text) {
-  constexpr std::size_t short_text = 22;
+  constexpr std::size_t short_text = 22, long_name = 48;
   if (kind == Column::Kind::number) return " class=\"number\"";
-  return text.size() <= short_text || is_number(text) ? " class=\"short\"" : "";
+  const bool is_name = text.size() <= long_name && text.find(' ') == std::string_view::npos;
+  return text.size() <= short_text || is_name || is_number(text) ? " class=\"short\"" : "";
 }
 
 /// The palette as variables of the style sheet, by theme.
