@@ -145,9 +145,9 @@ int run(IdentifyArguments& options, const std::string& command) {
   options.request.note = print_note;
   const Identification result = identify(options.request, read_campaign(options.campaign));
   const std::string json = estimate_json(result);
-  const std::string html = identification_report(result, command);
-  const std::string figure =
-      report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg;
+  const report::Figure response = response_figure(result);
+  const std::string html = identification_report(result, response, command);
+  const std::string figure = report::render_figure(response, "response", report::FigureUse::standalone).svg;
   options.output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
   if (options.timings)
     for (const auto& [stage, seconds] : result.seconds) fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);
