@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,10 +15,23 @@
 #include "codegen/cpp/emit_cpp.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
+#include "jobs/shared/model_loading.hpp"
 #include "jobs/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
 
 namespace secular::app {
+namespace {
+
+// How files in a folder are compiled, in a shell that is in it.
+std::string compile_line() {
+  const std::filesystem::path header = "estimator/model/compiled_model.hpp";
+  for (const std::filesystem::path& folder : header_folders())
+    if (std::error_code none; std::filesystem::exists(folder / header, none))
+      return fmt::format("c++ -std=c++20 -O1 -I'{}' -c *.cpp", folder.string());
+  return fmt::format("c++ -std=c++20 -O1 -I'folder that holds {}' -c *.cpp", header.string());
+}
+
+}  // namespace
 
 void add_generate_command(CLI::App* command, Action& chosen) {
   struct Options {
@@ -66,9 +80,13 @@ void add_generate_command(CLI::App* command, Action& chosen) {
       }
       options->output.write(written);
       if (options->json)
-        fmt::print("{}\n", nlohmann::json{{"folder", options->output.path()}, {"files", list}}.dump(2));
+        fmt::print(
+            "{}\n",
+            nlohmann::json{{"folder", options->output.path()}, {"files", list}, {"compile", compile_line()}}.dump(
+                2));
       else
-        fmt::print("{} files in {}\n", files.size(), options->output.path());
+        fmt::print("{} files in {}\ncompile them there: {}\n", files.size(), options->output.path(),
+                   compile_line());
       return 0;
     };
   });

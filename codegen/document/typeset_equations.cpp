@@ -49,7 +49,7 @@ Product symbol_product(const std::string& name) {
 Sum frequency_sum(const CanonicalModel& model, const std::vector<CanonicalRatio>& multiples) {
   Sum sum(model.order);
   for (std::size_t i = 0; i < multiples.size(); ++i)
-    add_ratio(sum, multiples[i], symbol_product(model.frequency_name(i)));
+    if (multiples[i].numerator != 0) add_ratio(sum, multiples[i], symbol_product(model.frequency_name(i)));
   return sum;
 }
 

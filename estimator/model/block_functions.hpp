@@ -30,19 +30,71 @@ struct NumberList {
   Number number[count];
 };
 
-/// Factors of blocks that vary are made for so many observations at once, as a table [factor][observation].
-inline constexpr std::size_t factors_at_once = 64;
+/// Columns of two observations at a time.
+template <class Model, class Block>
+class ColumnPairs {
+ public:
+  __attribute__((always_inline)) ColumnPairs(const BatchArrays& data, const ComplexParts* columns) {
+    // Own copies: what is stored could else be taken for them.
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < Model::modes; ++k) amplitude_[k] = data.amplitude[k];
+#pragma GCC unroll 8
+    for (std::size_t j = 0; j < Model::excitations && Block::forced; ++j) forcing_[j] = data.forcing[j];
+#pragma GCC unroll 64
+    for (std::size_t j = 0; j < Block::columns; ++j) column_[j] = columns[j];
+  }
+  __attribute__((always_inline)) void make(std::size_t i, std::size_t next, const Pair* factor) const {
+    using Complex = ComplexNumber<Pair>;
+    Complex a[Model::modes], f[Model::excitations + 1], value[Block::columns];
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < Model::modes; ++k) a[k] = Complex::load(amplitude_[k], i, next);
+    if constexpr (Block::forced) {
+#pragma GCC unroll 8
+      for (std::size_t j = 0; j < Model::excitations; ++j) f[j] = Complex::load(forcing_[j], i, next);
+    }
+    Block::row(typename Model::template Signals<Pair>(a, f), factor, value);
+#pragma GCC unroll 64
+    for (std::size_t j = 0; j < Block::columns; ++j) value[j].store(column_[j], i, next);
+  }
+
+ private:
+  const double *amplitude_[Model::modes], *forcing_[Model::excitations + 1];
+  double* column_[Block::columns];
+};
 
 struct BlockFunctions {
-  std::size_t modes = 0, excitations = 0, columns_count = 0;
-  /// columns[j][observation] of `data`; arrays overlap neither one another nor the data.
-  void (*columns)(const BatchArrays& data, double* const* columns) = nullptr;
+  std::size_t columns_count = 0;
+  /// columns[j][2 * observation] of `data`; arrays overlap neither one another nor the data.
+  void (*columns)(const BatchArrays& data, const ComplexParts* columns) = nullptr;
   /// Their derivatives by the natural frequency of a mode; none: they are zero.
-  void (*column_slopes)(const BatchArrays& data, std::size_t mode, double* const* columns) = nullptr;
+  void (*column_slopes)(const BatchArrays& data, std::size_t mode, const ComplexParts* columns) = nullptr;
   /// rate = sum of lump[j] * column j at one point: real and imaginary part. Of modulation blocks.
   void (*rate)(const double* lump, const BatchArrays& point, double* rate) = nullptr;
   /// Its derivatives by Cartesian amplitudes, [2][2 * modes].
   void (*rate_by_amplitude)(const double* lump, const BatchArrays& point, double* slopes) = nullptr;
+};
+
+/// Natural frequencies as numbers that carry no derivative, or that by one of them.
+template <class Number, std::size_t modes>
+struct FrequencyValues {
+  using Frequency = Number;
+  Number natural[modes];
+  explicit FrequencyValues(const double* natural_frequency) {
+    for (std::size_t k = 0; k < modes; ++k) natural[k] = natural_frequency[k];
+  }
+  static Number constant(Number value) { return value; }
+  static Number result(Number value) { return value; }
+};
+template <class Number, std::size_t modes>
+struct FrequencySlopes {
+  using Frequency = DualNumber<Number>;
+  Frequency natural[modes];
+  FrequencySlopes(const double* natural_frequency, std::size_t mode) {
+    for (std::size_t k = 0; k < modes; ++k) natural[k] = natural_frequency[k];
+    natural[mode].slope = 1.0;
+  }
+  static Frequency constant(Number value) { return {value, 0.0}; }
+  static Number result(const Frequency& value) { return value.slope; }
 };
 
 /// The functions of one block; `Model` holds what its blocks share: sizes, Frequencies, Signals.
@@ -50,120 +102,57 @@ template <class Model, class Block>
 struct BlockCode {
   static constexpr std::size_t modes = Model::modes, excitations = Model::excitations;
 
-  static void columns(const BatchArrays& data, double* const* columns) { fill(data, columns, factors); }
-
-  static void column_slopes(const BatchArrays& data, std::size_t mode, double* const* columns) {
-    fill(data, columns,
-         [mode](const double* natural, const double* const* excitation, std::size_t count, double* factor) {
-           factor_slopes(natural, excitation, count, mode, factor);
-         });
+  static void columns(const BatchArrays& data, const ComplexParts* columns) {
+    if constexpr (Block::varies)
+      fill(data, FrequencyValues<PairNumber, modes>(data.natural_frequency), columns);
+    else
+      repeat(data, FrequencyValues<double, modes>(data.natural_frequency), columns);
+  }
+  static void column_slopes(const BatchArrays& data, std::size_t mode, const ComplexParts* columns) {
+    if constexpr (Block::varies)
+      fill(data, FrequencySlopes<PairNumber, modes>(data.natural_frequency, mode), columns);
+    else
+      repeat(data, FrequencySlopes<double, modes>(data.natural_frequency, mode), columns);
   }
 
-  // Columns with the factors that make(natural frequencies, excitation frequencies, count, factors) gives.
-  template <class Make>
-  static void fill(const BatchArrays& data, double* const* columns, const Make& make) {
-    if constexpr (Block::varies) {
-      double factor[Block::factors_count * factors_at_once];
-      const double *amplitude[modes], *forcing[excitations], *excitation[excitations];
-      double* column[Block::columns];
-      for (std::size_t first = 0; first < data.count; first += factors_at_once) {
-        const std::size_t rest = data.count - first, count = rest < factors_at_once ? rest : factors_at_once;
-        for (std::size_t k = 0; k < modes; ++k) amplitude[k] = data.amplitude[k] + 2 * first;
-        for (std::size_t j = 0; j < excitations; ++j) {
-          if constexpr (Block::forced) forcing[j] = data.forcing[j] + 2 * first;
-          excitation[j] = data.excitation_frequency[j] + first;
-        }
-        for (std::size_t j = 0; j < Block::columns; ++j) column[j] = columns[j] + 2 * first;
-        make(data.natural_frequency, excitation, count, factor);
-        multiply({count, data.natural_frequency, excitation, amplitude, forcing}, factor, column);
-      }
-    } else {
-      double factor[Block::factors_count];
-      make(data.natural_frequency, data.excitation_frequency, 1, factor);
-      multiply(data, factor, columns);
+  // Where factors are the same for all observations.
+  template <class Natural>
+  static void repeat(const BatchArrays& data, const Natural& at, const ComplexParts* columns) {
+    const typename Natural::Frequency excitation[excitations + 1] = {};
+    const auto list =
+        Block::factors(typename Model::template Frequencies<typename Natural::Frequency>(at.natural, excitation));
+    Pair factor[Block::factors_count];
+    for (std::size_t t = 0; t < Block::factors_count; ++t) {
+      const double value = Natural::result(list.number[t]);
+      factor[t] = Pair{value, value};
     }
+    multiply(data, factor, columns);
   }
-
-  static void factors(const double* natural_frequency, const double* const* excitation_frequency,
-                      [[maybe_unused]] std::size_t count, double* factor) {
-    if constexpr (Block::varies) {
-      PairNumber natural[modes], excitation[excitations];
-      for (std::size_t k = 0; k < modes; ++k) natural[k] = natural_frequency[k];
-      for (std::size_t i = 0; i < count; i += 2) {
-        const std::size_t next = load_pairs(excitation_frequency, i, count, excitation);
-        const auto list = Block::factors(typename Model::template Frequencies<PairNumber>(natural, excitation));
-        for (std::size_t t = 0; t < Block::factors_count; ++t) store_pair(list.number[t], i, next, t, factor);
-      }
-    } else {
-      const double excitation[excitations + 1] = {};
-      const auto list = Block::factors(typename Model::template Frequencies<double>(natural_frequency, excitation));
-      for (std::size_t t = 0; t < Block::factors_count; ++t) factor[t] = list.number[t];
-    }
-  }
-
-  static void factor_slopes(const double* natural_frequency, const double* const* excitation_frequency,
-                            std::size_t count, std::size_t mode, double* factor) {
-    using Dual = DualNumber<PairNumber>;
-    PairNumber pairs[excitations + 1];
-    Dual natural[modes], excitation[excitations + 1];
-    for (std::size_t k = 0; k < modes; ++k) natural[k] = natural_frequency[k];
-    natural[mode].slope = 1.0;
-    for (std::size_t i = 0; i < (Block::varies ? count : 1); i += 2) {
-      std::size_t next = i;
-      if constexpr (Block::varies) {
-        next = load_pairs(excitation_frequency, i, count, pairs);
-        for (std::size_t j = 0; j < excitations; ++j) excitation[j].value = pairs[j];
-      }
-      const auto list = Block::factors(typename Model::template Frequencies<Dual>(natural, excitation));
-      for (std::size_t t = 0; t < Block::factors_count; ++t) store_pair(list.number[t].slope, i, next, t, factor);
-    }
-  }
-
-  // Of observations i and the next, which it gives: i itself where it is the last one.
-  static std::size_t load_pairs(const double* const* excitation_frequency, std::size_t i, std::size_t count,
-                                PairNumber* excitation) {
-    const std::size_t next = i + 1 < count ? i + 1 : i;
-    for (std::size_t j = 0; j < excitations; ++j)
-      excitation[j] = PairNumber(excitation_frequency[j][i], excitation_frequency[j][next]);
-    return next;
-  }
-  static void store_pair(PairNumber value, std::size_t i, std::size_t next, std::size_t t, double* factor) {
-    constexpr std::size_t width = Block::varies ? factors_at_once : 1;
-    factor[t * width + i] = value[0];
-    factor[t * width + next] = value[next - i];
-  }
-
-  [[gnu::noinline]] static void multiply(const BatchArrays& data, const double* factor, double* const* columns) {
-    using Complex = ComplexNumber<Pair>;
-    // Own copies: what is stored could else be taken for them.
-    const double *amplitude[modes], *forcing[excitations + 1];
-    double* column[Block::columns];
-    Pair factors[Block::factors_count];
-#pragma GCC unroll 8
-    for (std::size_t k = 0; k < modes; ++k) amplitude[k] = data.amplitude[k];
-#pragma GCC unroll 8
-    for (std::size_t j = 0; j < excitations && Block::forced; ++j) forcing[j] = data.forcing[j];
+  [[gnu::noinline]] static void multiply(const BatchArrays& data, const Pair* factor, const ComplexParts* columns) {
+    const ColumnPairs<Model, Block> rows(data, columns);
+    Pair own[Block::factors_count];
 #pragma GCC unroll 64
-    for (std::size_t j = 0; j < Block::columns; ++j) column[j] = columns[j];
-#pragma GCC unroll 64
-    for (std::size_t t = 0; t < Block::factors_count; ++t) factors[t] = Pair{factor[t], factor[t]};
+    for (std::size_t t = 0; t < Block::factors_count; ++t) own[t] = factor[t];
+    for (std::size_t i = 0; i < data.count; i += 2) rows.make(i, i + 1 < data.count ? i + 1 : i, own);
+  }
+
+  // Where they differ.
+  template <class Natural>
+  static void fill(const BatchArrays& data, const Natural& at, const ComplexParts* columns) {
+    const ColumnPairs<Model, Block> rows(data, columns);
+    const double* frequency[excitations];
+    for (std::size_t j = 0; j < excitations; ++j) frequency[j] = data.excitation_frequency[j];
     for (std::size_t i = 0; i < data.count; i += 2) {
       const std::size_t next = i + 1 < data.count ? i + 1 : i;
-      Complex a[modes], f[excitations + 1], value[Block::columns];
-#pragma GCC unroll 8
-      for (std::size_t k = 0; k < modes; ++k) a[k] = Complex::load(amplitude[k], i, next);
-      if constexpr (Block::forced) {
-#pragma GCC unroll 8
-        for (std::size_t j = 0; j < excitations; ++j) f[j] = Complex::load(forcing[j], i, next);
-      }
-      if constexpr (Block::varies) {
+      typename Natural::Frequency excitation[excitations];
+      for (std::size_t j = 0; j < excitations; ++j)
+        excitation[j] = Natural::constant(PairNumber(frequency[j][i], frequency[j][next]));
+      const auto list =
+          Block::factors(typename Model::template Frequencies<typename Natural::Frequency>(at.natural, excitation));
+      Pair factor[Block::factors_count];
 #pragma GCC unroll 64
-        for (std::size_t t = 0; t < Block::factors_count; ++t)
-          factors[t] = Pair{factor[t * factors_at_once + i], factor[t * factors_at_once + next]};
-      }
-      Block::row(typename Model::template Signals<Pair>(a, f), factors, value);
-#pragma GCC unroll 64
-      for (std::size_t j = 0; j < Block::columns; ++j) value[j].store(column[j], i, next);
+      for (std::size_t t = 0; t < Block::factors_count; ++t) factor[t] = Natural::result(list.number[t]).pair();
+      rows.make(i, next, factor);
     }
   }
 
@@ -216,7 +205,7 @@ struct BlockCode {
 template <class Model, class Block>
 constexpr BlockFunctions harmonic_functions() {
   using Code = BlockCode<Model, Block>;
-  BlockFunctions functions{Model::modes, Model::excitations, Block::columns, Code::columns};
+  BlockFunctions functions{Block::columns, Code::columns};
   if constexpr (Block::moves_with_modes) functions.column_slopes = Code::column_slopes;
   return functions;
 }

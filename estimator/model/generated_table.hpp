@@ -51,31 +51,17 @@ inline double* parts_of(std::complex<double>* values) {
   return reinterpret_cast<double*>(values);
 }
 
-/// A batch and the columns made of it as plain arrays.
-class PlainBatch {
- public:
-  PlainBatch(const BlockFunctions& block, const ObservationBatch& data, std::complex<double>* const* values)
-      : amplitude_(block.modes), forcing_(block.excitations), columns_(block.columns_count) {
-    for (std::size_t k = 0; k < block.modes; ++k) amplitude_[k] = parts_of(data.amplitude[k]);
-    for (std::size_t j = 0; j < block.excitations && data.forcing != nullptr; ++j)
-      forcing_[j] = parts_of(data.forcing[j]);
-    for (std::size_t j = 0; j < block.columns_count; ++j) columns_[j] = parts_of(values[j]);
-    batch_ = {data.count, data.natural_frequency, data.excitation_frequency, amplitude_.data(), forcing_.data()};
-  }
-
-  const BatchArrays& data() const { return batch_; }
-  double* const* columns() { return columns_.data(); }
-
- private:
-  CallValues<const double*> amplitude_, forcing_;
-  CallValues<double*> columns_;
-  BatchArrays batch_;
-};
+inline BatchArrays arrays_of(const ObservationBatch& data) {
+  return {data.count, data.natural_frequency, data.excitation_frequency,
+          reinterpret_cast<const ConstComplexParts*>(data.amplitude),
+          reinterpret_cast<const ConstComplexParts*>(data.forcing)};
+}
+inline const ComplexParts* arrays_of(std::complex<double>* const* columns) {
+  return reinterpret_cast<const ComplexParts*>(columns);
+}
 
 inline void call_rows(const void* block, const ObservationBatch& data, std::complex<double>* const* columns) {
-  const auto& functions = *static_cast<const BlockFunctions*>(block);
-  PlainBatch batch(functions, data, columns);
-  functions.columns(batch.data(), batch.columns());
+  static_cast<const BlockFunctions*>(block)->columns(arrays_of(data), arrays_of(columns));
 }
 
 inline void call_slopes(const void* block, const ObservationBatch& data, std::size_t mode,
@@ -86,8 +72,7 @@ inline void call_slopes(const void* block, const ObservationBatch& data, std::si
       for (std::size_t i = 0; i < data.count; ++i) columns[j][i] = 0.0;
     return;
   }
-  PlainBatch batch(functions, data, columns);
-  functions.column_slopes(batch.data(), mode, batch.columns());
+  functions.column_slopes(arrays_of(data), mode, arrays_of(columns));
 }
 
 inline void call_lumps(const void* data, const double* parameters, double* lumps) {

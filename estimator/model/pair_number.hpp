@@ -66,7 +66,9 @@ class PairNumber {
   PairNumber(double x) : pair_{x, x} {}  // NOLINT: the same twice
   PairNumber(double first, double second) : pair_{first, second} {}
 
-  double operator[](std::size_t i) const { return pair_[i]; }
+  explicit PairNumber(Pair pair) : pair_(pair) {}
+
+  Pair pair() const { return pair_; }
   friend PairNumber operator+(PairNumber a, PairNumber b) { return PairNumber(a.pair_ + b.pair_); }
   friend PairNumber operator-(PairNumber a, PairNumber b) { return PairNumber(a.pair_ - b.pair_); }
   friend PairNumber operator*(PairNumber a, PairNumber b) { return PairNumber(a.pair_ * b.pair_); }
@@ -74,7 +76,6 @@ class PairNumber {
   friend PairNumber operator-(PairNumber a) { return PairNumber(-a.pair_); }
 
  private:
-  explicit PairNumber(Pair pair) : pair_(pair) {}
   Pair pair_{};
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -170,6 +171,18 @@ TEST_F(SlowUnseenModel, AnInstalledProgramUsesItsOwnHeaders) {
   std::ofstream(prefix / "include/secular/estimator/model/compiled_model.hpp", std::ios::app) << "#error marked\n";
   const std::string note = run("identify campaign --model model.toml -o marked", program);
   EXPECT_NE(note.find("#error marked"), std::string::npos) << note;
+}
+
+// In a folder of any name, with no other files of the project than those that are installed.
+TEST_F(SlowUnseenModel, AnInstalledProgramSaysHowItsCodeIsCompiled) {
+  const std::string program = (installed() / "bin" / "secular").string();
+  EXPECT_EQ(run("-c \"" + program + " generate model.toml -o 'any name' > said\"", "sh"), "");
+  EXPECT_EQ(run("-c \"cd 'any name' && sed -n 's/^compile them there: //p' ../said > line && sh line\"", "sh"), "");
+  for (const char* name : {"beam_with_stop.o", "registry.o"}) EXPECT_TRUE(fs::exists(folder_ / "any name" / name));
+  std::ifstream stream(folder_ / "any name" / "line");
+  const std::string line{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NE(line.find((folder_ / "prefix").string()), std::string::npos) << line;
+  EXPECT_EQ(line.find(testing_support::source_folder().string()), std::string::npos) << line;
 }
 
 }  // namespace
