@@ -1,6 +1,7 @@
 #include "diagnose/inference/gap_span.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "diagnose/inference/screening.hpp"
 #include "numerics/orthonormal_span.hpp"
@@ -24,6 +25,37 @@ std::vector<Index> slopes_of_members(const Refit& fit, const Refit& null) {
   return columns;
 }
 
+/// Of a fold's rows.
+struct Fold {
+  double rows = 0, moved = 0, excess = 0;
+};
+
+// By row: how often its excess over what is expected counts, docs/inference.md (49a). `moved`: squares of the rows
+// of an orthonormal basis; `excess` in units of what is expected of a row that nothing moves.
+VectorXd weights_beside(const VectorXd& moved, const VectorXd& excess, const std::vector<RowLabel>& labels) {
+  std::map<int, Fold> folds;
+  for (std::size_t r = 0; r < labels.size(); ++r) {
+    Fold& fold = folds[labels[r].fold];
+    fold.rows += 1;
+    fold.moved += moved(static_cast<Index>(r));
+    fold.excess += excess(static_cast<Index>(r));
+  }
+  double squares = 0;
+  for (const auto& [number, fold] : folds) squares += fold.moved * fold.moved / fold.rows;
+  const double scale = moved.sum() / squares, effective_rows = scale * moved.sum();
+  double left = 0;
+  for (const auto& [number, fold] : folds) left += scale * fold.moved / fold.rows * fold.excess;
+  if (!(left > 0)) return VectorXd::Zero(moved.size());
+  const double of_quiet_rows = 2 * (static_cast<double>(moved.size()) - effective_rows),
+               as_they_are = left * left / (left * left + std::max(0.0, of_quiet_rows));
+  VectorXd weights(moved.size());
+  for (std::size_t r = 0; r < labels.size(); ++r) {
+    const Fold& fold = folds.at(labels[r].fold);
+    weights(static_cast<Index>(r)) = (1 - as_they_are) * scale * fold.moved / fold.rows + as_they_are;
+  }
+  return weights;
+}
+
 }  // namespace
 
 GapSpan::GapSpan(const MatrixXd& columns) : basis_(basis_of(columns)) {}
@@ -39,12 +71,14 @@ GapSpan GapSpan::with(const VectorXd& column) const {
   return wider;
 }
 
-VectorXd GapSpan::squares(const VectorXd& rows, double floor) const {
+VectorXd GapSpan::squares(const VectorXd& rows, const std::vector<RowLabel>& labels, double floor) const {
   const VectorXd squares = rows.cwiseAbs2();
   if (basis_.cols() == 0) return squares;
-  const VectorXd along = basis_ * (basis_.transpose() * rows), taken = along.cwiseProduct(2 * rows - along),
-                 beside = floor * floor * (VectorXd::Ones(rows.size()) - basis_.rowwise().squaredNorm());
-  return (squares - taken).sum() < beside.sum() ? VectorXd(taken + beside) : squares;
+  const VectorXd along = basis_ * (basis_.transpose() * rows), moved = basis_.rowwise().squaredNorm(),
+                 expected = floor * floor * (VectorXd::Ones(rows.size()) - moved),
+                 excess = (rows - along).cwiseAbs2() - expected,
+                 weights = weights_beside(moved, excess / (floor * floor), labels);
+  return squares - (VectorXd::Ones(rows.size()) - weights).cwiseProduct(excess);
 }
 
 GapSpan span_of_gap(const Refit& null, const std::vector<Explanation>& explanations, const VectorXd& unfitted) {

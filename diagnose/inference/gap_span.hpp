@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "diagnose/evidence/discrepancy.hpp"
 #include "diagnose/inference/explanation.hpp"
 
 namespace secular {
@@ -18,9 +19,10 @@ class GapSpan {
   /// With one direction more; all of them stay all.
   GapSpan with(const Eigen::VectorXd& column) const;
 
-  /// By row: its square. Where what lies beside these directions is less than it is expected to be, `floor` squared
-  /// for a row that is all beside them, it counts with that (docs/inference.md (49)).
-  Eigen::VectorXd squares(const Eigen::VectorXd& rows, double floor) const;
+  /// By row: its square. What it has beside these directions beyond the expected, `floor` squared for a row that is
+  /// all beside them, counts by how much its fold is moved along them, and not at all where folds together have
+  /// less than is expected (docs/inference.md (49), (49a)).
+  Eigen::VectorXd squares(const Eigen::VectorXd& rows, const std::vector<RowLabel>& labels, double floor) const;
 
  private:
   Eigen::MatrixXd basis_;  // orthonormal; empty: all directions

@@ -212,7 +212,8 @@ ClosedShare closed_share(const VectorXd& before, const VectorXd& after, const st
   result.before = root_mean_square(before.squaredNorm(), count);
   result.after = root_mean_square(after.squaredNorm(), count);
   const GapSpan wider = span.with(after - before);
-  const VectorXd squares_before = wider.squares(before, floor), squares_after = wider.squares(after, floor);
+  const VectorXd squares_before = wider.squares(before, labels, floor),
+                 squares_after = wider.squares(after, labels, floor);
   const double b = root_mean_square(squares_before.sum(), count), a = root_mean_square(squares_after.sum(), count);
   result.closed = b > floor ? std::clamp((b - a) / (b - floor), -1.0, 1.0) : 0.0;
   take_interval(sums_of_folds(squares_before, squares_after, labels), floor, result);

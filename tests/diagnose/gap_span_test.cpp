@@ -37,7 +37,7 @@ std::vector<RowLabel> in_conditions(Index rows, Index conditions) {
 
 // Squares along the directions, and one for each that is beside them.
 double squares_of(const GapSpan& span, const VectorXd& rows) {
-  return span.squares(rows, 1).sum();
+  return span.squares(rows, in_conditions(rows.size(), 1), 1).sum();
 }
 
 TEST(GapSpan, SquaresOfRowsAddUpToThoseAlongItsDirections) {
@@ -49,7 +49,7 @@ TEST(GapSpan, SquaresOfRowsAddUpToThoseAlongItsDirections) {
   const VectorXd along = columns.leftCols(3) * columns.leftCols(3).colPivHouseholderQr().solve(rows);
   EXPECT_NEAR(squares_of(span, rows), along.squaredNorm() + 57, 1e-10);
   EXPECT_NEAR(squares_of(span, along), along.squaredNorm() + 57, 1e-10);
-  EXPECT_NEAR(span.squares(rows, 2).sum(), along.squaredNorm() + 4 * 57, 1e-10);
+  EXPECT_NEAR(span.squares(rows, in_conditions(60, 1), 2).sum(), along.squaredNorm() + 4 * 57, 1e-10);
 }
 
 TEST(GapSpan, WithAColumnHoldsThatToo) {
@@ -66,7 +66,7 @@ TEST(GapSpan, WithAColumnHoldsThatToo) {
 TEST(GapSpan, OfNoColumnsIsAllRowsAsTheyAre) {
   std::mt19937_64 random(4);
   const VectorXd rows = white(10, random);
-  EXPECT_EQ(GapSpan().squares(rows, 1), VectorXd(rows.cwiseAbs2()));
+  EXPECT_EQ(GapSpan().squares(rows, in_conditions(10, 1), 1), VectorXd(rows.cwiseAbs2()));
 }
 
 // Beside the directions rows have what they have, or what they are expected to have where that is more.
@@ -105,6 +105,35 @@ TEST(GapSpan, AWeakGapInManySamplesHasAShare) {
   EXPECT_GE(all_closed, draws - 1);
   EXPECT_EQ(part_closed, 0);
   EXPECT_GT(most, 1.25);
+}
+
+// Rows that nothing moves say nothing of a gap. Three quarters are closed, in ten conditions and in these with
+// thirty more that are noise alone; 0.4 sqrt(2 1000) squares beside the directions are left by chance in the mean,
+// of 225. As they are the quiet rows would bring 0.4 sqrt(2 31000) and close half.
+TEST(GapSpan, QuietRowsNeitherCloseNorDilute) {
+  constexpr Index loud = 1000, quiet = 30000, directions = 5, draws = 30;
+  std::mt19937_64 random(9);
+  MatrixXd columns = MatrixXd::Zero(loud + quiet, directions);
+  columns.topRows(loud) = columns_of(loud, directions, random);
+  const VectorXd gap = 15 * columns.col(0).normalized();
+  std::vector<RowLabel> labels = in_conditions(loud, 10);
+  for (RowLabel label : in_conditions(quiet, 30)) {
+    label.fold += 10;
+    labels.push_back(label);
+  }
+  const std::vector<RowLabel> labels_of_loud(labels.begin(), labels.begin() + loud);
+  const GapSpan span(columns), span_of_loud(columns.topRows(loud));
+  double mean = 0, squares = 0;
+  for (Index d = 0; d < draws; ++d) {
+    const VectorXd noise = white(loud + quiet, random), before = noise + gap, after = noise + 0.5 * gap;
+    const double all = closed_share(before, after, labels, 1, span).closed,
+                 alone = closed_share(before.head(loud), after.head(loud), labels_of_loud, 1, span_of_loud).closed;
+    EXPECT_NEAR(all, alone, 0.06);
+    mean += all / draws;
+    squares += (all - 0.75) * (all - 0.75) / draws;
+  }
+  EXPECT_NEAR(mean, 0.72, 0.03);
+  EXPECT_LT(std::sqrt(squares), 0.1);
 }
 
 // Of a gap of a law that lies beside all directions, but for a fifth of its squares, that fifth closes little,
