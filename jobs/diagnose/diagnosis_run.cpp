@@ -6,7 +6,7 @@
 
 #include "diagnose/verdict/given_numbers.hpp"
 #include "diagnose/verdict/step_by_step.hpp"
-#include "jobs/identify/identification.hpp"
+#include "jobs/identify/full_equations.hpp"
 #include "jobs/shared/compared_records.hpp"
 #include "jobs/shared/left_out.hpp"
 #include "jobs/shared/model_loading.hpp"
@@ -101,7 +101,9 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   return tried;
 }
 
+// What dwells and decays tell of the model as it is; nothing where there are none.
 std::vector<EstimatedValue> identified(const DiagnosisRequest& request, const Campaign& campaign) {
+  if (!holds_dwells_or_decays(campaign, request.window)) return {};
   IdentificationRequest wanted;
   wanted.model = request.model;
   wanted.interpret = request.interpret;

@@ -31,10 +31,6 @@ bool has_no_expansion(RecordKind kind) {
   return kind == RecordKind::sweep || kind == RecordKind::broadband;
 }
 
-bool is_read_by_modulation(RecordKind kind) {
-  return is_steady(kind) || kind == RecordKind::free_decay;
-}
-
 // What the modulation equations make of dwells and decays; empty where they make nothing of them, and `why`.
 std::map<std::string, double> start_by_modulation(const IdentificationRequest& request, const Campaign& campaign,
                                                   std::string& why) {
@@ -81,6 +77,11 @@ Equations equations_for(const Campaign& campaign, const Window& window) {
   return any ? Equations::full : Equations::modulation;
 }
 
+bool holds_dwells_or_decays(const Campaign& campaign, const Window& window) {
+  return holds_any(campaign, window,
+                   [](RecordKind kind) { return is_steady(kind) || kind == RecordKind::free_decay; });
+}
+
 std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::size_t> records) {
   std::erase_if(records, [&](std::size_t r) { return !has_no_expansion(campaign.records[r].kind); });
   return records;
@@ -105,7 +106,7 @@ Identification identify_by_full_equations(const IdentificationRequest& request, 
   id.model = source.load({});
   std::vector<std::map<std::string, double>> begins;
   std::string no_start;
-  if (holds_any(id.campaign, request.window, is_read_by_modulation)) {
+  if (holds_dwells_or_decays(id.campaign, request.window)) {
     begins.push_back(start_by_modulation(request, campaign, no_start));
     if (begins.back().empty()) begins.clear();
   }

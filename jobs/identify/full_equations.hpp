@@ -11,6 +11,9 @@ namespace secular {
 /// impact that a channel drives.
 Equations equations_for(const Campaign& campaign, const Window& window);
 
+/// Whether the window takes a dwell or a free decay, of which the modulation equations tell numbers.
+bool holds_dwells_or_decays(const Campaign& campaign, const Window& window);
+
 /// Those of some records that the modulation equations say nothing of: sweeps and broadband records.
 std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::size_t> records);
 

@@ -29,9 +29,14 @@ double noise_beside(const std::vector<double>& powers, std::size_t bin) {
   return std::max(below, above);
 }
 
-// Both halves show the line, and its amplitudes differ by no more than the noise that is beside it in each. The
-// modulus of a line in noise of mean power m has the variance m/2.
-void look_at_halves(Line& line, const std::vector<double> (&halves)[2], std::size_t bin, double false_alarm) {
+// What the window leaves of a line half a bin off its bin.
+constexpr double half_a_bin_off = 0.909;
+
+// Both halves show the line, its amplitudes differ by no more than the noise that is beside it in each, and the
+// whole shows no more than both together: what rings up and down in the middle, where the whole's window is highest
+// and theirs are low, does. The modulus of a line in noise of mean power m has the variance m/2.
+void look_at_halves(Line& line, const std::vector<double>& whole, const std::vector<double> (&halves)[2],
+                    std::size_t bin, double false_alarm) {
   const std::size_t at = bin / 2;
   double variance = 0, modulus[2] = {};
   for (const int h : {0, 1}) {
@@ -45,7 +50,10 @@ void look_at_halves(Line& line, const std::vector<double> (&halves)[2], std::siz
   line.first_half = modulus[0];
   line.second_half = modulus[1];
   line.half_sd = std::sqrt(0.5 * variance);
-  line.steady = 2 * normal_upper_tail(std::abs(modulus[0] - modulus[1]) / std::sqrt(variance)) > false_alarm;
+  const double more = std::sqrt(whole[bin]) - (modulus[0] + modulus[1]) / half_a_bin_off,
+               sd_of_more = std::sqrt(0.5 * noise_beside(whole, bin) + variance);
+  line.steady = 2 * normal_upper_tail(std::abs(modulus[0] - modulus[1]) / std::sqrt(variance)) > false_alarm &&
+                normal_upper_tail(more / sd_of_more) > false_alarm;
 }
 
 }  // namespace
@@ -90,7 +98,7 @@ std::vector<Line> find_lines(std::span<const double> samples, double rate, doubl
     const double offset = 0.5 * (before - after) / (before - 2 * here + after);
     lines.push_back({(static_cast<double>(k) + offset) * rate / static_cast<double>(length),
                      2 * std::exp(0.5 * (here - 0.25 * (before - after) * offset)) / sum});
-    look_at_halves(lines.back(), halves, k, false_alarm);
+    look_at_halves(lines.back(), powers, halves, k, false_alarm);
   }
   if (spectrum != nullptr) *spectrum = powers;
   return lines;

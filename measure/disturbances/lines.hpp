@@ -8,8 +8,8 @@ namespace secular {
 /// A line that stands out of the spectrum around it.
 struct Line {
   double frequency_hz = 0;
-  double amplitude = 0;  ///< peak
-  bool steady = false;   ///< as large in the second half of the record as in the first, as far as noise lets see
+  double amplitude = 0;                    ///< peak
+  bool steady = false;                     ///< as large in all of the record, as far as noise lets see
   double first_half = 0, second_half = 0;  ///< how large there, in one unit
   double half_sd = 0;                      ///< what noise makes of these
 };
@@ -30,8 +30,9 @@ std::vector<double> windowed_powers(std::span<const double> samples, const std::
 /// Peaks of the windowed periodogram. In noise of any colour that is smooth over 40 bins the peak's bin over the
 /// mean of 8 bins that share no noise with it has an F law with 2 and 16 degrees of freedom; the noisier of both
 /// sides is taken. `false_alarm` is that of the whole spectrum: every bin is a test. A decaying or modulated line
-/// has skirts and stands out less; `steady` asks further whether either half shows it (one test at `false_alarm`)
-/// and amplitudes of the halves differ by no more than the noise around them in each.
+/// has skirts and stands out less; `steady` asks further whether either half shows it (one test at `false_alarm`),
+/// amplitudes of the halves differ by no more than the noise around them in each, and the whole record, whose
+/// window is highest where theirs are low, shows no more than both (a resonance that is driven in passing does).
 ///
 /// `spectrum`, if asked for: the powers of all bins.
 std::vector<Line> find_lines(std::span<const double> samples, double rate, double false_alarm,

@@ -16,6 +16,7 @@
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/disturbances/roughness.hpp"
 #include "numerics/hertz.hpp"
+#include "tests/driven_response.hpp"
 #include "tests/places.hpp"
 
 namespace secular {
@@ -385,6 +386,37 @@ TEST(Disturbances, TheMotionItselfIsNone) {
   record = clean(RecordKind::free_decay, 12);
   for (std::size_t i = 0; i < drive_count; ++i) record.channels[1][i] += 0.05 * std::exp(-0.8 * at(i));
   for (const Disturbance& d : find_disturbances(campaign, 0, record)) ADD_FAILURE() << d.kind << ": " << d.text;
+}
+
+// A resonance that rings up and down within a record is as sharp as a line there. A tone beside it is one still.
+TEST(Disturbances, AResonanceThatASweepPassesIsNoForeignTone) {
+  constexpr double rate = 200;
+  for (const double noise : {0.0, 0.01})
+    for (const double damping : {0.003, 0.01})
+      for (const double passed : {0.2, 0.4, 0.6})
+        for (const double hum : {0.0, 0.2}) {
+          Normal normal(7);
+          std::vector<double> force;
+          for (int i = 0; i < 2000; ++i) {
+            const double t = i / rate;  // from 10 - 4*passed Hz on by 4 Hz in 10 s
+            force.push_back(std::sin(two_pi * ((10 - 4 * passed) * t + 0.2 * t * t)));
+          }
+          Record record;
+          record.sample_rate_hz = rate;
+          record.channels = {force, testing_support::driven_response(force, {{10, damping}}, rate)};
+          double largest = 0;
+          for (const double x : record.channels[1]) largest = std::max(largest, std::abs(x));
+          for (std::size_t i = 0; i < 2000; ++i)
+            record.channels[1][i] +=
+                largest * (noise * normal() + hum * std::sin(two_pi * 50 * static_cast<double>(i) / rate));
+          std::vector<double> tones;
+          for (const Disturbance& d : find_disturbances(campaign_of(1, RecordKind::sweep), 0, record))
+            if (d.kind == "foreign_tone") tones.push_back(d.frequency_hz.value_or(0));
+          ASSERT_EQ(tones.size(), hum > 0 ? 1U : 0U) << noise << ' ' << damping << ' ' << passed;
+          if (hum > 0) {
+            EXPECT_NEAR(tones[0], 50, 0.05);
+          }
+        }
 }
 
 // A channel that is at rest, disconnected or all noise, and records of a few samples.

@@ -11,32 +11,15 @@
 
 #include "measure/observe/natural_frequency_starts.hpp"
 #include "numerics/hertz.hpp"
+#include "tests/driven_response.hpp"
 
 namespace secular {
 namespace {
 
+using testing_support::driven_response;
+using testing_support::DrivenMode;
+
 constexpr double rate = 200, none = std::numeric_limits<double>::quiet_NaN();
-
-struct DrivenMode {
-  double hz = 0, damping_ratio = 0;
-};
-
-// Displacements of modes that a signal drives, exact where the signal is constant from sample to sample.
-std::vector<double> driven(const std::vector<double>& excitation, const std::vector<DrivenMode>& modes) {
-  std::vector<double> response(excitation.size(), 0);
-  for (const DrivenMode& mode : modes) {
-    const double w = two_pi * mode.hz, decay = mode.damping_ratio * w, own = std::sqrt(w * w - decay * decay);
-    const double e = std::exp(-decay / rate), c = std::cos(own / rate), s = std::sin(own / rate);
-    double x = 0, v = 0;
-    for (std::size_t i = 0; i < excitation.size(); ++i) {
-      response[i] += x;
-      const double y = x - excitation[i] / (w * w);
-      x = e * (y * (c + decay / own * s) + v / own * s) + excitation[i] / (w * w);
-      v = e * (v * (c - decay / own * s) - y * w * w / own * s);
-    }
-  }
-  return response;
-}
 
 Campaign driven_campaign(RecordKind kind, std::size_t records) {
   Campaign campaign;
@@ -59,7 +42,7 @@ ModeLines lines_of(
     record.sample_rate_hz = rate;
     std::vector<double> force(4000);
     for (double& f : force) f = normal(engine);
-    std::vector<double> tip = driven(force, modes);
+    std::vector<double> tip = driven_response(force, modes, rate);
     double square = 0;
     for (const double x : tip) square += x * x;
     const double rms = modes.empty() ? 1 : std::sqrt(square / static_cast<double>(tip.size()));
@@ -119,7 +102,7 @@ TEST(DrivenLines, ASweepMovesANominalValueThatIsTooFarOff) {
     const double t = i / rate;
     force.push_back(std::sin(two_pi * (18.5 * t + 0.5 * 3.5 / 60 * t * t)));
   }
-  record.channels = {force, driven(force, {{20, 0.008}})};
+  record.channels = {force, driven_response(force, {{20, 0.008}}, rate)};
   const RecordReader read = [&](std::size_t) { return record; };
   for (const double nominal : {10.0, 18.2, 22.5, 31.0}) {
     const NaturalFrequencyStarts starts = natural_frequency_starts(campaign, read, {two_pi * nominal}, {}, {}, {});
