@@ -25,6 +25,9 @@ std::vector<Index> slopes_of_members(const Refit& fit, const Refit& null) {
   return columns;
 }
 
+/// Standard deviations of their noise at which what quiet rows hold more counts half: once in a thousand by chance.
+constexpr double surely = 3;
+
 /// Of a fold's rows.
 struct Fold {
   double rows = 0, moved = 0, excess = 0;
@@ -43,15 +46,18 @@ VectorXd weights_beside(const VectorXd& moved, const VectorXd& excess, const std
   double squares = 0;
   for (const auto& [number, fold] : folds) squares += fold.moved * fold.moved / fold.rows;
   const double scale = moved.sum() / squares, effective_rows = scale * moved.sum();
-  double left = 0;
-  for (const auto& [number, fold] : folds) left += scale * fold.moved / fold.rows * fold.excess;
-  if (!(left > 0)) return VectorXd::Zero(moved.size());
-  const double of_quiet_rows = 2 * (static_cast<double>(moved.size()) - effective_rows),
-               as_they_are = left * left / (left * left + std::max(0.0, of_quiet_rows));
+  double guessed = 0;
+  for (const auto& [number, fold] : folds) guessed += scale * fold.moved / fold.rows * fold.excess;
+  guessed = std::max(0.0, guessed);
+  const double more = std::max(0.0, excess.sum() - guessed),
+               of_chance =
+                   surely * std::sqrt(std::max(0.0, 2 * (static_cast<double>(moved.size()) - effective_rows))),
+               as_they_are = more > 0 ? 1 / (1 + std::pow(of_chance / more, 8)) : 0,
+               by_guess = guessed > 0 ? 1 - as_they_are : 0;
   VectorXd weights(moved.size());
   for (std::size_t r = 0; r < labels.size(); ++r) {
     const Fold& fold = folds.at(labels[r].fold);
-    weights(static_cast<Index>(r)) = (1 - as_they_are) * scale * fold.moved / fold.rows + as_they_are;
+    weights(static_cast<Index>(r)) = by_guess * scale * fold.moved / fold.rows + as_they_are;
   }
   return weights;
 }

@@ -243,7 +243,12 @@ std::vector<std::string> warnings_of(const Attempt& best, const JudgedRows& judg
   std::vector<std::string> warnings;
   const DetectedGap& gap = judged.gap;
   const double ratio = std::sqrt(misfit_of(judged.left));
-  if (!best.has_converged())
+  if (best.fitted.inference.null.fit.ending == SolverEnding::converged && !best.has_converged())
+    warnings.push_back(
+        "nothing that was measured depends on the model's numbers where the fit ended: there are none (do the "
+        "records "
+        "hold a motion that the excitation makes?)");
+  else if (!best.has_converged())
     warnings.push_back(
         "the fit by the full equations did not come to an end: there are no numbers (rough values of the model's "
         "parameters under [nominal], or dwells and free decays in the same campaign, are a better start)");

@@ -67,6 +67,8 @@ NullSpace null_space_directions(const MatrixXd& jacobian, const MatrixXd& slopes
   std::vector<Index> seen;
   for (Index p = 0; p < jacobian.cols(); ++p)
     if (jacobian.col(p).squaredNorm() > 0) seen.push_back(p);
+  // All are known, or nothing that was measured depends on those that are not.
+  if (seen.empty()) return {MatrixXd::Zero(jacobian.cols(), 0), MatrixXd::Zero(0, jacobian.cols())};
   const VectorXd seen_scale = scale(seen), plausible_sizes = plausible_size(seen);
   const MatrixXd columns = jacobian(Eigen::all, seen) * seen_scale.asDiagonal();
   const auto width = static_cast<Index>(seen.size());
@@ -389,7 +391,7 @@ class SharedFit {
 
   void set_errors(bool rough_errors) {
     const std::optional<ClusterScatter> between =
-        rough_errors
+        rough_errors || directions_fitted_.cols() == 0
             ? std::nullopt
             : scatter_at(cases_, seen_from_correction(unknowns_), count_, given_, jacobian_, directions_fitted_);
     VectorXd squares =

@@ -75,9 +75,10 @@ FrequencyStarts frequency_starts(const ModelSource& model, const Campaign& campa
       text += fmt::format("{}{} is near {:.4g} rad/s, {:.4g} was given", text.empty() ? "" : "; ",
                           model.frequency_names()[k], starts.frequency[k], nominal[k]);
   if (!text.empty())
-    starts.warnings.push_back(fmt::format(
-        "the records show other natural frequencies than those given, and are sorted by what they show: {}{}", text,
-        nominal.size() > 1 ? " (modes go to lines in order of frequency)" : ""));
+    starts.warnings.push_back(
+        fmt::format("the records resonate elsewhere than at the natural frequencies given, and are sorted by what "
+                    "they show: {}{}",
+                    text, nominal.size() > 1 ? " (modes go to lines in order of frequency)" : ""));
   return starts;
 }
 

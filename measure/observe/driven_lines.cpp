@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 constexpr double half_range = 0.01;
 /// At least so many lines to either side: neighbours of a Hann window are correlated.
 constexpr Index fewest_lines = 4;
-/// DrivenSpectrum of a Hann window over those that are independent.
+/// Lines of a Hann window over those that are independent.
 constexpr double lines_per_value = 1.5;
 /// A line drives where it holds this share of the power about it, and that this share of the largest.
 constexpr double share_about = 0.1, share_of_largest = 0.01;
@@ -93,11 +93,15 @@ std::vector<DrivenSpectrum> lines_of_driven(const Campaign& campaign, const Reco
     if (count < 8 * fewest_lines) continue;
     DrivenSpectrum lines;
     lines.bin = two_pi * record.sample_rate_hz / static_cast<double>(count);
-    lines.driving = powers(samples_of(record, excitations, range.first, count)).rowwise().sum();
+    const MatrixXd driving = powers(samples_of(record, excitations, range.first, count));
+    lines.driving = VectorXd::Zero(driving.rows());
+    for (Index e = 0; e < driving.cols(); ++e)  // whatever their units
+      if (const double all_of_it = driving.col(e).sum(); all_of_it > 0) lines.driving += driving.col(e) / all_of_it;
     lines.about = mean_about(lines.driving, lines);
     lines.largest = lines.about.maxCoeff();
     lines.response = powers(samples_of(record, responses, range.first, count));
-    if (lines.largest > 0 && lines.response.allFinite()) all.push_back(std::move(lines));
+    if (lines.largest > 0 && lines.driving.allFinite() && lines.response.allFinite())
+      all.push_back(std::move(lines));
   }
   return all;
 }
@@ -150,7 +154,9 @@ DrivenRatio ratio_at(double middle, const std::vector<DrivenSpectrum>& all) {
       if (lines.about.segment(at - half, 2 * half + 1).minCoeff() < share_of_largest * lines.largest) continue;
       for (Index i = at - half; i <= at + half; ++i)
         if (lines.drives(i)) values.push_back(lines.response(i, c) / lines.driving(i));
-      sd = std::max(sd, sd_of_lines(lines, c, at, half));
+      const double own = sd_of_lines(lines, c, at, half);
+      sd = std::isfinite(own) ? std::max(sd, own) : own;  // what one record does not tell is not known
+      if (!std::isfinite(sd)) return {};
     }
     if (values.empty()) return {};
     ratio.sd = std::max(ratio.sd, of_median * sd * std::sqrt(lines_per_value / static_cast<double>(values.size())));
@@ -197,6 +203,42 @@ std::vector<DrivenPeak> peaks_of(const std::vector<double>& middles, const std::
   return peaks;
 }
 
+// Of every mode the nearest peak within its search range, a peak to the mode it is nearest to; further ones to
+// modes that are driven and have none in range.
+void assign(ModeLines& found, const std::vector<DrivenPeak>& peaks, const std::vector<double>& nominal,
+            const std::vector<double>& middles) {
+  const auto off = [&](const DrivenPeak& peak, std::size_t mode) {
+    const double by = std::abs(peak.frequency - nominal[mode]) / nominal[mode];
+    return by < measure_thresholds().largest_detuning ? by : std::numeric_limits<double>::infinity();
+  };
+  std::vector<bool> is_in_range(peaks.size(), false);
+  std::vector<double> nearest(nominal.size(), std::numeric_limits<double>::infinity());
+  std::vector<bool> has_any(nominal.size(), false);
+  for (std::size_t p = 0; p < peaks.size(); ++p) {
+    std::size_t own = nominal.size();
+    for (std::size_t k = 0; k < nominal.size(); ++k) {
+      if (!std::isfinite(off(peaks[p], k))) continue;
+      has_any[k] = is_in_range[p] = true;
+      if (own == nominal.size() || off(peaks[p], k) < off(peaks[p], own)) own = k;
+    }
+    if (own == nominal.size() || off(peaks[p], own) >= nearest[own]) continue;
+    nearest[own] = off(peaks[p], own);
+    found.at_nominal[own] = peaks[p].frequency;
+  }
+  std::size_t unseen = 0;
+  for (std::size_t k = 0; k < nominal.size(); ++k) {
+    const bool is_driven = !middles.empty() && nominal[k] > middles.front() && nominal[k] < middles.back();
+    found.may_be_further[k] = !has_any[k] && (!std::isfinite(nominal[k]) || nominal.size() == 1 || is_driven);
+    if (found.may_be_further[k]) ++unseen;
+  }
+  for (std::size_t p = 0; p < peaks.size() && found.further.size() < unseen; ++p) {
+    const bool is_beside = std::any_of(found.further.begin(), found.further.end(), [&](double taken) {
+      return std::abs(peaks[p].frequency - taken) < measure_thresholds().largest_detuning * taken;
+    });
+    if (!is_in_range[p] && !is_beside) found.further.push_back(peaks[p].frequency);
+  }
+}
+
 }  // namespace
 
 ModeLines driven_lines(const Campaign& campaign, const RecordReader& read, const std::vector<double>& nominal,
@@ -211,30 +253,7 @@ ModeLines driven_lines(const Campaign& campaign, const RecordReader& read, const
   const std::vector<double> middles = ranges_of(all, window);
   std::vector<DrivenRatio> ratios;
   for (const double middle : middles) ratios.push_back(ratio_at(middle, all));
-  const std::vector<DrivenPeak> peaks = peaks_of(middles, ratios);
-  const auto is_near = [](double line, double own) {
-    return std::abs(line - own) < measure_thresholds().largest_detuning * own;
-  };
-  const auto is_driven = [&](double frequency) {
-    return !middles.empty() && frequency > middles.front() && frequency < middles.back();
-  };
-  std::vector<double> explained;
-  std::size_t unseen = 0;
-  for (std::size_t k = 0; k < nominal.size(); ++k) {
-    for (const DrivenPeak& peak : peaks)
-      if (!found.at_nominal[k] && is_near(peak.frequency, nominal[k])) found.at_nominal[k] = peak.frequency;
-    if (found.at_nominal[k]) explained.push_back(*found.at_nominal[k]);
-    found.may_be_further[k] = !std::isfinite(nominal[k]) || nominal.size() == 1 || is_driven(nominal[k]);
-    if (found.may_be_further[k] && !found.at_nominal[k]) ++unseen;
-  }
-  for (const DrivenPeak& peak : peaks) {
-    if (found.further.size() >= unseen) break;
-    if (std::none_of(explained.begin(), explained.end(),
-                     [&](double own) { return is_near(peak.frequency, own); })) {
-      found.further.push_back(peak.frequency);
-      explained.push_back(peak.frequency);
-    }
-  }
+  assign(found, peaks_of(middles, ratios), nominal, middles);
   return found;
 }
 

@@ -176,7 +176,7 @@ NaturalFrequencyStarts natural_frequency_starts(const Campaign& campaign, const 
                                                 const std::vector<Resonance>& cases,
                                                 const std::vector<DwellTones>& dwells, const Window& window) {
   ModeLines seen = decay_lines(campaign, read, nominal, window);
-  const bool is_driven = seen.records == 0;
+  const bool is_driven = seen.records == 0 && dwells.empty();
   if (is_driven) seen = driven_lines(campaign, read, nominal, window);
   const Search search(nominal, cases, dwells, seen);
   const std::vector<double> found = search.run();

@@ -6,8 +6,11 @@
 #include <complex>
 #include <numbers>
 
+#include "measure/observe/mode_frequencies.hpp"
 #include "measure/observe/related_tones.hpp"
+#include "measure/observe/steady_amplitude.hpp"
 #include "motion/simulate/noise.hpp"
+#include "numerics/hertz.hpp"
 #include "virtual_campaign.hpp"
 
 namespace secular {
@@ -127,6 +130,63 @@ Experiment combination_experiment() {
   dwell({45.56}, {30, 28, 25});
   dwell({45.57}, {31, 29, 27});
   return e;
+}
+
+// Amplitudes of a motion by the equations of modulation, from rest but for a push, and how fast they change.
+Observation combination_motion(const CompiledModel& model, const CompiledCase& resonance,
+                               const Eigen::VectorXd& parameters, double seconds) {
+  using Complex = std::complex<double>;
+  Observation o;
+  o.excitation_frequency = {two_pi * 45.555};
+  o.forcing = {26};
+  o.amplitude = {Complex(2e-4, 1e-5), Complex(1e-4, 0)};
+  const auto change = [&](const std::vector<Complex>& amplitude) {
+    std::vector<Complex> slope(2);
+    resonance.modulation(parameters.data(), o.excitation_frequency.data(), amplitude.data(), o.forcing.data(),
+                         slope.data());
+    return slope;
+  };
+  constexpr double step = 0.02;
+  const auto moved = [&](const std::vector<Complex>& slope, double by) {
+    return std::vector<Complex>{o.amplitude[0] + by * slope[0], o.amplitude[1] + by * slope[1]};
+  };
+  for (double t = 0; t < seconds; t += step) {
+    const auto k1 = change(o.amplitude), k2 = change(moved(k1, step / 2)), k3 = change(moved(k2, step / 2)),
+               k4 = change(moved(k3, step));
+    for (std::size_t k = 0; k < 2; ++k) o.amplitude[k] += step / 6 * (k1[k] + 2.0 * k2[k] + 2.0 * k3[k] + k4[k]);
+  }
+  const ModeFrequencies modes = mode_frequencies(model, resonance);
+  Eigen::VectorXd natural(1);
+  natural(0) = parameters(static_cast<Index>(modes.free.front()));
+  const Eigen::VectorXd frame = modes.observed(natural, o.excitation_frequency);
+  const std::vector<Complex> slope = change(o.amplitude);
+  for (std::size_t k = 0; k < 2; ++k)
+    o.rate.push_back(slope[k] / o.amplitude[k] + Complex(0, frame(static_cast<Index>(k))));
+  return o;
+}
+
+// A combination resonance moves at frequencies of its own, which are not the natural ones: that is no drift.
+TEST(Combination, ASteadyMotionStaysAndOneThatDriftsGoesWhereItSettles) {
+  const Experiment experiment = combination_experiment();
+  const CompiledModel& model = *generated::find_compiled_model(experiment.model);
+  const CompiledCase& resonance = case_named(model, "additive_combination");
+  ObservationSet set;
+  set.model = &model;
+  set.resonance = &resonance;
+  const Observation settled = combination_motion(model, resonance, experiment.parameters, 800);
+  const Observation drifting = combination_motion(model, resonance, experiment.parameters, 75);
+  set.observations = {settled, drifting};
+  const std::size_t free = mode_frequencies(model, resonance).free.front();
+  ASSERT_GT(std::abs(settled.rate[free].imag() - experiment.parameters(static_cast<Index>(free))), 0.01);
+  const double off = std::abs(drifting.amplitude[0]) / std::abs(settled.amplitude[0]) - 1;
+  ASSERT_GT(std::abs(off), 1e-4);
+  ASSERT_LT(std::abs(off), 0.05);
+  to_steady_amplitudes(set, experiment.parameters);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double steady = std::abs(settled.amplitude[k]);
+    EXPECT_NEAR(std::abs(set.observations[0].amplitude[k]), steady, 1e-8 * steady);
+    EXPECT_NEAR(std::abs(set.observations[1].amplitude[k]), steady, 10 * off * off * steady);
+  }
 }
 
 TEST(SlowCombination, LumpsOfTheThesisAreRecovered) {

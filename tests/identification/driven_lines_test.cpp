@@ -84,6 +84,44 @@ TEST(DrivenLines, ModesAreLookedForElsewhereOnlyWhereTheyAreDriven) {
   EXPECT_FALSE(not_driven.may_be_further[1]);
 }
 
+// A peak is that of the mode it is nearest to, and a mode that is right is not moved to another's.
+TEST(DrivenLines, APeakBelongsToOneMode) {
+  const ModeLines hidden = lines_of({{10, 0.01}}, 1, 6, {10, 11.3});
+  ASSERT_TRUE(hidden.at_nominal[0]);
+  EXPECT_NEAR(*hidden.at_nominal[0], two_pi * 10, 0.3 * two_pi);
+  EXPECT_FALSE(hidden.at_nominal[1]);
+  EXPECT_TRUE(hidden.further.empty());
+  // A neighbour outside of the model, twice as strong.
+  const ModeLines neighbour = lines_of({{10, 0.01}, {11.2, 0.005}}, 2, 6, {10});
+  ASSERT_TRUE(neighbour.at_nominal[0]);
+  EXPECT_NEAR(*neighbour.at_nominal[0], two_pi * 10, 0.3 * two_pi);
+}
+
+// Of a multisine of few lines nothing is told, whatever the noise: second differences need lines that are next.
+TEST(DrivenLines, FewLinesTellNoMode) {
+  for (const double noise : {0.0, 0.5, 2.0})
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      std::mt19937 engine(seed);
+      std::normal_distribution<double> normal;
+      std::vector<double> force(8000, 0);
+      for (int line = 0; line < 70; ++line) {
+        const double phase = two_pi * std::uniform_real_distribution<double>()(engine);
+        for (std::size_t i = 0; i < force.size(); ++i)
+          force[i] += std::cos(two_pi * (5 + 0.5 * line) * static_cast<double>(i) / rate + phase);
+      }
+      Record record;
+      record.sample_rate_hz = rate;
+      record.channels = {force, driven_response(force, {{10, 0.01}}, rate)};
+      double square = 0;
+      for (const double x : record.channels[1]) square += x * x / 8000;
+      for (double& x : record.channels[1]) x += noise * std::sqrt(square) * normal(engine);
+      const NaturalFrequencyStarts starts =
+          natural_frequency_starts(driven_campaign(RecordKind::broadband, 1), [&](std::size_t) { return record; },
+                                   {two_pi * 10}, {}, {}, {});
+      EXPECT_FALSE(starts.moved[0]) << noise << ' ' << starts.frequency[0];
+    }
+}
+
 // 1 in 300 where ranges are a hundred independent ones and each passes by chance once in 30,000: four at most with
 // a probability of 0.9999.
 TEST(DrivenLines, NoiseShowsNoMode) {
