@@ -87,7 +87,7 @@ std::string closes_as_much(const Diagnosis& d) {
         !is_in(d.second_or) && !is_in(names))
       names.push_back(cause.effect);
   }
-  return names.empty() ? "" : ", though " + joined(names, " and ") + " by itself closes as much of the gap";
+  return names.empty() ? "" : ", though " + joined(names, " or ") + " alone would close as much of the gap";
 }
 
 std::string sentence(const Diagnosis& d) {
