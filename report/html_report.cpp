@@ -94,7 +94,8 @@ std::string_view cell_class(Column::Kind kind, std::string_view text) {
   constexpr std::size_t short_text = 22, long_name = 48;
   if (kind == Column::Kind::number) return " class=\"number\"";
   const bool is_name = text.size() <= long_name && text.find(' ') == std::string_view::npos;
-  return text.size() <= short_text || is_name || is_number(text) ? " class=\"short\"" : "";
+  return text.size() <= short_text || is_name || (text.size() <= long_name && is_number(text)) ? " class=\"short\""
+                                                                                               : "";
 }
 
 /// The palette as variables of the style sheet, by theme.
@@ -119,7 +120,8 @@ std::string warnings_box(const std::vector<std::string>& warnings) {
       box += fmt::format("<li>{}</li>\n", first);
       continue;
     }
-    box += fmt::format("<li><details><summary>{} × {}</summary>\n<ul>\n", kind.size(), first);
+    box +=
+        fmt::format("<li><details><summary>{} of this kind, the first: {}</summary>\n<ul>\n", kind.size(), first);
     for (std::size_t i = 1; i < kind.size(); ++i) box += element("li", warnings[kind[i]]);
     box += "</ul></details></li>\n";
   }

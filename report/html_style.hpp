@@ -66,7 +66,7 @@ footer pre { white-space: pre-wrap; overflow-wrap: anywhere; }
   pre { white-space: pre-wrap; } .values { display: none; } .scroll { overflow: visible; }
   details::details-content { content-visibility: visible; block-size: auto; }
   table { font-size: 8pt; } th .unit, caption { font-size: 8pt; } th, td, th.number, td.number { padding: 3px 8px 3px 0; }
-  td:not(.number):not(.short) { min-width: 0; }
+  table { width: 100%; } td:not(.number):not(.short) { min-width: 0; }
   figure svg { min-width: 0; } h2 { margin-top: 24px; }
 }
 )css";

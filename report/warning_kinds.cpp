@@ -10,12 +10,28 @@ bool digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// The text with '#' in the place of every number.
+bool letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// A path, or a name that a letter follows a point in.
+bool names_a_file(std::string_view word) {
+  if (word.find('/') != std::string_view::npos) return true;
+  for (std::size_t i = 1; i + 1 < word.size(); ++i)
+    if (word[i] == '.' && letter(word[i + 1])) return true;
+  return false;
+}
+
+/// The text with '#' in the place of every number; digits of a name that begins with a letter are none (mu1), but
+/// for names of files.
 std::string without_numbers(std::string_view text) {
   std::string kept;
+  bool in_name = false, file = false;
   for (std::size_t i = 0; i < text.size();) {
+    if (i == 0 || text[i - 1] == ' ') file = names_a_file(text.substr(i, text.find(' ', i) - i));
     const bool signed_number = (text[i] == '-' || text[i] == '+') && i + 1 < text.size() && digit(text[i + 1]);
-    if (!digit(text[i]) && !signed_number) {
+    in_name = !file && (letter(text[i]) || (in_name && digit(text[i])));
+    if (in_name || (!digit(text[i]) && !signed_number)) {
       kept += text[i++];
       continue;
     }

@@ -8,6 +8,7 @@ namespace secular::report {
 
 /// Indices of texts by kind, kinds and members in the order of the texts. Of one kind are texts that are the same
 /// but for their numbers: runs of digits, with what may stand within or before a number (point, sign, exponent).
+/// Digits in a name (mu1) are no number, digits in the name of a file are.
 std::vector<std::vector<std::size_t>> warning_kinds(const std::vector<std::string>& texts);
 
 }  // namespace secular::report

@@ -35,6 +35,7 @@ struct IdentifyArguments {
   SelectionOptions selection;
   OutputFolder output{{"estimate.json", "report.html", "response.svg"}};
   std::vector<std::string> fixed;
+  std::string by;  ///< empty: as the records need it
   bool json = false, timings = false;
 };
 
@@ -181,12 +182,11 @@ void add_identify_command(CLI::App* command, Action& chosen) {
                     "maximum likelihood with errors in amplitudes, phases, forces and frequencies");
   command
       ->add_option(
-          "--by", options->request.by,
+          "--by", options->by,
           "full-equations: of motion, all kinds of records in one likelihood (sweeps, broadband records and "
           "impacts need them, and choose them); modulation-equations: of the resonance cases, dwells and "
           "free decays alone")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Equations>{
-          {"full-equations", Equations::full}, {"modulation-equations", Equations::modulation}}))
+      ->check(CLI::IsMember({"full-equations", "modulation-equations"}))
       ->option_text("full-equations|modulation-equations");
   options->selection.add_to(*command);
   command->add_option(
@@ -202,6 +202,8 @@ void add_identify_command(CLI::App* command, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       parse_fixed(*options);
+      if (!options->by.empty())
+        options->request.by = options->by == "full-equations" ? Equations::full : Equations::modulation;
       options->output.check(
           {{"the campaign", options->campaign, true}, {"the model", options->request.model, false}});
       options->request.window = options->selection.window();

@@ -320,6 +320,16 @@ void add_responses(report::HtmlReport& page, const ModalSurvey& survey) {
   add_masses(page, survey);
 }
 
+// What warnings say of modes that one damped motion does not explain, in short.
+std::string doubts_of(const ModalSurvey& survey) {
+  std::vector<std::string> doubtful;
+  for (std::size_t r = 0; r < survey.modes.size(); ++r)
+    if (survey.modes[r].leaves_more_than_noise()) doubtful.push_back(mode_name(r));
+  if (doubtful.empty()) return "";
+  return fmt::format("; in the place of {} there may be two modes, or one that changes with amplitude",
+                     fmt::join(doubtful, ", "));
+}
+
 std::string verdict_of(const ModalSurvey& survey) {
   if (survey.modes.empty()) return "No mode was found.";
   const auto [low, high] = std::minmax_element(
@@ -331,9 +341,11 @@ std::string verdict_of(const ModalSurvey& survey) {
   const auto hertz = [](const SurveyMode& mode) { return report::format_number(mode.natural_frequency_hz, 4); };
   const auto percent = [](const SurveyMode& mode) { return report::format_number(100 * mode.damping_ratio, 2); };
   if (survey.modes.size() == 1)
-    return fmt::format("One mode was found, at {} Hz with a damping ratio of {} %.", hertz(*low), percent(*low));
-  return fmt::format("{} modes were found between {} and {} Hz, with damping ratios from {} to {} %.",
-                     survey.modes.size(), hertz(*low), hertz(*high), percent(*soft), percent(*hard));
+    return fmt::format("One mode was found, at {} Hz with a damping ratio of {} %{}.", hertz(*low), percent(*low),
+                       doubts_of(survey));
+  return fmt::format("{} modes were found between {} and {} Hz, with damping ratios from {} to {} %{}.",
+                     survey.modes.size(), hertz(*low), hertz(*high), percent(*soft), percent(*hard),
+                     doubts_of(survey));
 }
 
 }  // namespace
@@ -345,7 +357,9 @@ std::string modal_report(const ModalSurvey& survey, const std::string& command) 
   for (std::size_t c = 0; c < survey.channels.size(); ++c)
     channels.push_back(survey.channel_name(static_cast<Index>(c)));
   for (const std::string& warning : survey.warnings) page.warn(warning);
-  page.verdict(verdict_of(survey), survey.modes.empty() ? Tone::bad : Tone::neutral);
+  page.verdict(verdict_of(survey), survey.modes.empty()        ? Tone::bad
+                                   : doubts_of(survey).empty() ? Tone::neutral
+                                                               : Tone::caution);
   for (std::size_t r = 0; r < survey.modes.size() && r < 6; ++r) {
     const SurveyMode& mode = survey.modes[r];
     page.card({"Mode " + mode_name(r),

@@ -237,7 +237,7 @@ std::string plan_report(const PlanRequest& request, const PlanResult& plan, cons
     std::vector<std::string> row = {
         plan.unknowns.names[i] + (wanted.count(u) == 1 ? " (wanted)" : ""), report::format_number(value, 5),
         std::isfinite(sd) ? report::format_number(sd, 3) : "not determined",
-        std::isfinite(sd) && value != 0 ? report::format_percent(sd / std::abs(value), 2) : ""};
+        std::isfinite(sd) && value != 0 ? report::format_number(100 * sd / std::abs(value), 2) + " %" : ""};
     if (plan.against) {
       const double other = plan.against->sd(u);
       row.push_back(std::isfinite(other) ? report::format_number(other, 3) : "not determined");

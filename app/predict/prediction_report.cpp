@@ -400,13 +400,15 @@ std::string verdict_of(const Prediction& prediction) {
         prediction.curves.size() == 1 ? "curve of special points was" : "curves of special points were",
         prediction.against->name);
   const std::size_t mode = moving_modes(prediction).front();
-  double largest = 0, where = 0;
+  double largest = 0, where = 0, least_beyond = std::numeric_limits<double>::infinity();
   std::size_t changes = 0;
   for (const ResponseBranch& branch : prediction.diagram.branches) {
     changes += branch.special.size();
     for (const ResponsePoint& at : branch.points) {
       const double amplitude = peak_amplitude(at.modes, mode);
-      if (at.unstable > 0 || at.outside || amplitude <= largest) continue;
+      if (at.unstable > 0 || at.at_rest) continue;
+      if (at.outside) least_beyond = std::min(least_beyond, amplitude);
+      if (at.outside || amplitude <= largest) continue;
       largest = amplitude;
       where = at.parameter / prediction.axis;
     }
@@ -415,6 +417,12 @@ std::string verdict_of(const Prediction& prediction) {
   const std::string change = changes == 0
                                  ? "its stability does not change"
                                  : "responses appear, vanish or change their stability at the marked points";
+  if (largest == 0 && std::isfinite(least_beyond))
+    return fmt::format(
+        "Over {} every stable response of {} but rest lies outside of the range of the expansion (peak amplitudes "
+        "of "
+        "{} and more), where its numbers are not to be relied upon; {}.",
+        range, name, report::format_number(least_beyond, 3), change);
   if (largest == 0)
     return fmt::format("Over {} no stable response of {} but rest was found; {}.", range, name, change);
   return fmt::format("Over {} the stable response of {} is largest at {}{}, with a peak amplitude of {}; {}.",

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "diagnose/inference/directions.hpp"
@@ -25,9 +27,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Samples of a stretch that is shown.
-constexpr Index most_shown = 400;
 
 // How many fits there have been, of about how many.
 class FitCount {
@@ -359,38 +358,53 @@ void take_directions(Estimate& estimate, const Attempt& best, const CompiledMode
   }
 }
 
-// Of each record the segment in which its first response is largest.
-std::vector<ComparedStretch> stretches_of(const Attempt& best, const std::set<std::size_t>& records) {
-  std::vector<ComparedStretch> stretches;
+// The parts of a segment between samples that do not count; `reading`: of its samples.
+void add_stretches(ComparedRecord& to, const Segment& computed, std::span<const double> reading, double& largest) {
+  const Index samples = computed.response.cols();
+  const double begin = computed.in_record_s - 0.5 * static_cast<double>(samples) * computed.sample_s;
+  auto skipped = computed.uncompared.begin();
+  bool open = false;
+  const std::size_t before = to.stretches.size();
+  for (Index i = 0; i < samples; ++i) {
+    if (skipped != computed.uncompared.end() && *skipped == i) {
+      ++skipped;
+      open = false;
+      continue;
+    }
+    if (!open) to.stretches.push_back({begin + static_cast<double>(i) * computed.sample_s, {}, {}});
+    open = true;
+    to.stretches.back().measured.push_back(reading[static_cast<std::size_t>(i)]);
+    to.stretches.back().computed.push_back(computed.response(0, i));
+  }
+  for (std::size_t s = before; s < to.stretches.size(); ++s) {
+    const std::vector<double>& made = to.stretches[s].computed;
+    const double size = std::inner_product(made.begin(), made.end(), made.begin(), 0.0);
+    if (size <= largest) continue;
+    largest = size;
+    to.loudest = s;
+  }
+}
+
+// Of each record its first response.
+std::vector<ComparedRecord> compared_in_time(const Attempt& best, const CompiledModel& model,
+                                             const std::set<std::size_t>& records) {
+  std::vector<ComparedRecord> all;
   const Comparison& comparison = best.fitted.comparison;
-  if (!comparison.segment_evidence) return stretches;
+  if (!comparison.segment_evidence) return all;
   const VectorXd& unknowns = best.fitted.inference.null.fit.unknowns;
   for (const SegmentEvidence::Left& left : comparison.segment_evidence->left(unknowns)) {
     if (left.channel != comparison.sensors.responses.front() || !records.contains(left.record)) continue;
-    Index first = 0, begin = 0;
+    ComparedRecord one{left.record, left.channel, left.sample_s, {}, 0, 0};
+    std::span<const double> reading = left.reading;
     double largest = -1;
-    const Segment* loudest = nullptr;
-    const std::vector<Segment> computed = comparison.segment_evidence->predicted(left.record, unknowns, 1);
-    for (const Segment& s : computed) {
-      const double size = s.response.row(0).squaredNorm();
-      if (size > largest) {
-        largest = size;
-        loudest = &s;
-        begin = first;
-      }
-      first += s.response.cols();
+    for (const Segment& computed : comparison.segment_evidence->predicted(left.record, unknowns, 1)) {
+      add_stretches(one, computed, reading, largest);
+      reading = reading.subspan(static_cast<std::size_t>(computed.response.cols()));
+      one.fitted += 2 * model.modes();
     }
-    if (loudest == nullptr) continue;
-    const Index shown = std::min(most_shown, loudest->response.cols());
-    ComparedStretch stretch{left.record, left.channel, 0, left.sample_s, {}, {}};
-    stretch.from_s = loudest->in_record_s - 0.5 * static_cast<double>(loudest->response.cols()) * loudest->sample_s;
-    for (Index i = 0; i < shown; ++i) {
-      stretch.measured.push_back(left.reading[static_cast<std::size_t>(begin + i)]);
-      stretch.computed.push_back(loudest->response(0, i));
-    }
-    stretches.push_back(std::move(stretch));
+    if (!one.stretches.empty()) all.push_back(std::move(one));
   }
-  return stretches;
+  return all;
 }
 
 // The disturbances of a diagnosis that says what this fit does.
@@ -432,7 +446,7 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   result.labels = comparison.discrepancy.labels();
   result.rows = best.fitted.inference.null.fit.rows;
   for (const RowLabel& label : result.labels) result.records.insert(label.record);
-  result.stretches = stretches_of(best, result.records);
+  result.compared = compared_in_time(best, sides.model, result.records);
   result.disturbances = disturbances_of(best, sides);
   take_parameters(result.estimate, best, sides, judged);
   if (result.has_converged) take_directions(result.estimate, best, sides.model);

@@ -14,11 +14,20 @@
 
 namespace secular {
 
-/// A stretch of a record as it was measured, and as the model makes it from the state that it begins with.
+/// Samples of a record without a gap, as they were measured, and as the model makes them from the state that their
+/// segment begins with.
 struct ComparedStretch {
-  std::size_t record = 0, channel = 0;  ///< of the campaign
-  double from_s = 0, sample_s = 0;      ///< in the record's time
+  double from_s = 0;  ///< in the record's time
   std::vector<double> measured, computed;
+};
+
+/// All samples of a record that count, in the first channel of the responses.
+struct ComparedRecord {
+  std::size_t record = 0, channel = 0;  ///< of the campaign
+  double sample_s = 0;
+  std::vector<ComparedStretch> stretches;  ///< none is empty
+  std::size_t loudest = 0;                 ///< of them, by the sum of the squares that are computed
+  std::size_t fitted = 0;                  ///< numbers of states that were fitted, of all segments together
 };
 
 /// Numbers of a model by its full equations of motion.
@@ -32,8 +41,8 @@ struct FullEstimate {
   std::size_t conditions = 0;     ///< dwells, and segments of the other records
   double data_used = 0;           ///< of the samples within the window
   std::vector<RowLabel> labels;
-  Eigen::VectorXd rows;                    ///< what is left, of unit variance where the model holds
-  std::vector<ComparedStretch> stretches;  ///< the loudest of every record that is compared sample by sample
+  Eigen::VectorXd rows;                  ///< what is left, of unit variance where the model holds
+  std::vector<ComparedRecord> compared;  ///< sample by sample
 };
 
 /// Fits the model as it is to all records of the window at once, dwells by their lines and all others sample by

@@ -70,19 +70,36 @@ std::string look_alikes(const Diagnosis& d) {
   return " (Other campaigns may not tell it from " + joined(alike, " or ") + ".)";
 }
 
+std::string numbers_in_use(const Diagnosis& d) {
+  return d.gap.judged == Judged::fitted  ? "its own parameters fitted"
+         : d.gap.judged == Judged::given ? "the given numbers"
+                                         : "numbers that the given error bars allow";
+}
+
+// Of effects that are less probable than the named ones: what closes as much of the gap by itself.
+std::string closes_as_much(const Diagnosis& d) {
+  std::vector<std::string> names;
+  for (const CauseReport& cause : d.causes) {
+    const auto is_in = [&](const std::vector<std::string>& named) {
+      return std::find(named.begin(), named.end(), cause.effect) != named.end();
+    };
+    if (cause.closed && *cause.closed >= d.gap.closed_low && cause.effect != d.cause && !is_in(d.together) &&
+        !is_in(d.second_or) && !is_in(names))
+      names.push_back(cause.effect);
+  }
+  return names.empty() ? "" : ", though " + joined(names, " or ") + " alone would close as much of the gap";
+}
+
 std::string sentence(const Diagnosis& d) {
   if (d.verdict == "no_gap")
-    return "What was measured is what the model does, with " +
-           std::string(d.gap.judged == Judged::fitted  ? "its own parameters fitted"
-                       : d.gap.judged == Judged::given ? "the given numbers"
-                                                       : "numbers that the given error bars allow") +
+    return "What was measured is what the model does, with " + numbers_in_use(d) +
            ", within the repeatability of the measurement.";
   if (d.verdict == "cause")
     return "The gap is explained by " + joined(d.together.size() > 1 ? d.together : std::vector{d.cause}, " and ") +
            (d.second_or.empty()
                 ? ""
                 : " (instead of the second, " + joined(d.second_or, " or ") + " would do as well)") +
-           "; no other effect of the catalogue explains this campaign as well." + look_alikes(d);
+           "; no other effect of the catalogue is as probable" + closes_as_much(d) + "." + look_alikes(d);
   if (d.verdict == "set")
     return "The gap is explained by one of " + joined(d.set, " or ") +
            ". This campaign cannot say which: they change what was measured in the same way.";
@@ -206,7 +223,8 @@ void where_section(HtmlReport& page, const DiagnosisRun& run) {
       "The residual of a mode's equation of motion on its resonant line, divided by the amplitude, has a meaning: "
       "in "
       "phase with the motion it is a force of stiffness or inertia, in quadrature one of damping. Everything is in "
-      "standard deviations of the measurement's own repeatability, with the model's parameters fitted.");
+      "standard deviations of the measurement's own repeatability, of the model with " +
+      numbers_in_use(d) + ".");
   if (!d.where.empty()) {
     Table table;
     table.columns = {{"Mode or channel", Column::Kind::text, ""},
@@ -223,8 +241,9 @@ void where_section(HtmlReport& page, const DiagnosisRun& run) {
   if (const std::optional<report::CellMap> map = gap_map(d, run.coordinate_unit))
     page.drawing(report::cell_map(*map), map->title,
                  "Each row is one line of an equation of motion: its part in phase (stiffness and inertia) or in "
-                 "quadrature (damping); columns are six parts of the amplitudes. The darker, the farther model and "
-                 "measurement are apart.");
+                 "quadrature (damping); columns are six parts of the amplitudes. The stronger the colour, the "
+                 "farther model and measurement are apart. The card's gap is over all rows, on conditions that "
+                 "were held out; a number here is over the rows of its cell alone.");
   for (const std::string& mode : balanced_modes(d)) {
     const Figure figure = residual_figure(d, mode, run.coordinate_unit);
     if (!figure.panels.empty())
@@ -257,8 +276,10 @@ void add_ranking(HtmlReport& page, const Diagnosis& d) {
   page.drawing(
       report::share_bars(bars), bars.title,
       "Probability that an effect is part of what acts, over all explanations that hold it: several can be "
-      "near 100 % together. A bar of what it closes is there for the first few alone, on conditions that the "
-      "fit had not seen.");
+      "near 100 % together." +
+          std::string(bars.names.size() > 1 ? " A bar of what it closes is there for the first few alone, on "
+                                              "conditions that the fit had not seen."
+                                            : ""));
 }
 
 void which_section(HtmlReport& page, const Diagnosis& d) {
@@ -418,8 +439,8 @@ std::string diagnosis_report(const DiagnosisRun& run, const std::string& command
   const Tone tone = d.verdict == "no_gap" ? Tone::good : d.verdict == "unknown" ? Tone::bad : Tone::caution;
   page.verdict(sentence(d), tone);
   page.card({"Verdict", verdict_text(d), "", tone});
-  page.card({"Gap", report::format_number(d.gap.before, 3) + " × repeatability",
-             p_text(d.gap.p_value), d.gap.detected ? Tone::caution : Tone::good});
+  page.card({"Gap", report::format_number(d.gap.before, 3) + " × repeatability", p_text(d.gap.p_value),
+             d.gap.detected ? Tone::caution : Tone::good});
   if (d.gap.detected)
     page.card({"Closed", report::format_percent(d.gap.closed),
                "95 % interval " + report::format_percent(d.gap.closed_low) + " to " +

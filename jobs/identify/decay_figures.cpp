@@ -81,7 +81,7 @@ ComputedCurves computed_curves(const CaseView& view, std::size_t own) {
   ComputedCurves curves;
   curves.frequency.name = curves.decay.name = "full equations, estimated parameters";
   curves.frequency_band.style = curves.decay_band.style = SeriesStyle::band;
-  curves.frequency_band.name = curves.decay_band.name = "two standard deviations of the parameters";
+  curves.frequency_band.name = curves.decay_band.name = "two sd by noise and what is left open";
   const BackboneBand band =
       windows.empty() ? BackboneBand{} : band_of(view, own, std::abs(windows.back()->amplitude[own]));
   const auto add = [](Series& series, double x, double y) {

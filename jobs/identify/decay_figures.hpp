@@ -11,7 +11,8 @@ namespace secular {
 /// Figures of a free decay in mode `own`.
 
 /// Frequency and decay rate of every window against amplitude, and those of the full equations, within a band of
-/// two standard deviations by the parameters' covariance (docs/inference.md (R3)).
+/// two standard deviations by noise and by what is left open, without the part of a misfit (docs/inference.md
+/// (R3)).
 report::Figure decay_response(const CaseView& view, std::size_t own);
 
 /// Measured minus computed in every window, with bars of two standard deviations.

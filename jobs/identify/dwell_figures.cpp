@@ -84,12 +84,19 @@ std::pair<std::vector<ResponseLevel>, std::vector<DwellMean>> shown_levels(const
   return {std::move(levels), std::move(others)};
 }
 
+/// By what is drawn: `curves` of so many coloured `levels`, and whether these are `all`.
+std::string title_of_response(std::size_t curves, std::size_t levels, bool all) {
+  if (curves == 0) return "Steady response: measured";
+  if (curves == levels && all) return "Steady response: measured, and the model's curve at each level";
+  return fmt::format("Steady response: measured, and the model's curve at {} level{}", curves,
+                     curves == 1 ? "" : "s");
+}
+
 }  // namespace
 
 Figure dwell_response(const CaseView& view) {
   const auto [levels, others] = shown_levels(view);
   Figure figure;
-  figure.title = "Steady response: measured, and the model's curve at each level";
   figure.x = {"Excitation frequency", "Hz", false, {}};
   Panel panel;
   panel.y = amplitude_axis(view);
@@ -101,9 +108,12 @@ Figure dwell_response(const CaseView& view) {
   const double margin = 0.1 * (high - low);
   std::pair<bool, bool> named;
   std::vector<Series> points;
+  std::size_t curves = 0;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const int group = static_cast<int>(l);
-    add_curve(panel, model_curve(view, levels[l], low - margin, high + margin), group, named);
+    const std::vector<CurvePiece> curve = model_curve(view, levels[l], low - margin, high + margin);
+    if (!curve.empty()) ++curves;
+    add_curve(panel, curve, group, named);
     auto [data, computed] = series_of(levels[l].dwells, &DwellMean::frequency_hz, group);
     data.name = level_text(view, levels[l].forcing);
     if (l == 0) computed.name = "full equations at a dwell (hollow)";
@@ -116,9 +126,21 @@ Figure dwell_response(const CaseView& view) {
     data.role = SeriesRole::reference;
     points.push_back(std::move(data));
   }
+  figure.title = title_of_response(curves, levels.size(), others.empty());
   panel.series.insert(panel.series.end(), points.begin(), points.end());
   figure.panels.push_back(std::move(panel));
   return figure;
+}
+
+std::string meaning_of_lines(const Figure& response) {
+  const std::vector<Series>& series = response.panels.front().series;
+  if (std::none_of(series.begin(), series.end(), [](const Series& s) { return s.style == SeriesStyle::line; }))
+    return "No steady response of the modulation equations but the state of rest is drawn: their parameters are "
+           "not "
+           "all known, several excitations act, or none was found.";
+  return "Lines are the steady responses of the modulation equations with the estimated parameters but for the "
+         "state "
+         "of rest, dashed where they are unstable; a coloured level without a line has none that was found.";
 }
 
 std::optional<Figure> dwells_by_level(const CaseView& view) {

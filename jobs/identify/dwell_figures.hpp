@@ -14,6 +14,9 @@ namespace secular {
 /// joined.
 report::Figure dwell_response(const CaseView& view);
 
+/// Of that figure: what its lines are, or why it has none.
+std::string meaning_of_lines(const report::Figure& response);
+
 /// Against the excitation's level, measured and computed, where there are three levels or more.
 std::optional<report::Figure> dwells_by_level(const CaseView& view);
 

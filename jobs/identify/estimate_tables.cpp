@@ -126,8 +126,8 @@ void add_pairs(report::HtmlReport& page, const Estimate& estimate, const std::se
   page.drawing(
       report::pairs_plot(joint, title), title,
       fmt::format("Ellipses hold 68 % and 95 % of each pair, three standard deviations to either side; numbers "
-                  "are correlations{}. By noise and what the campaign leaves open; doubts widen single error "
-                  "bars alone.",
+                  "are correlations{}. Widths are the table's standard deviations, with what doubts add to "
+                  "them; correlations are those without doubts.",
                   closest.empty()
                       ? ""
                       : fmt::format(", strongest between {}: {}", closest, report::format_fixed(largest, 2))));

@@ -21,46 +21,76 @@ using report::Series;
 using report::SeriesRole;
 using report::SeriesStyle;
 
-/// Records whose motion is shown.
-constexpr std::size_t most_stretches = 4;
+/// Records whose motion is shown, and samples that are drawn of each.
+constexpr std::size_t most_records = 4, most_drawn = 400;
 
-Figure stretch_figure(const ComparedStretch& stretch, const Campaign& campaign) {
+std::size_t drawn_of(const ComparedRecord& record) {
+  return std::min(most_drawn, record.stretches[record.loudest].measured.size());
+}
+
+Figure motion_figure(const ComparedRecord& record, const Campaign& campaign) {
+  const ComparedStretch& stretch = record.stretches[record.loudest];
   Series measured{"measured", SeriesStyle::points, SeriesRole::data, {}, {}, {}, {}};
   Series computed{"full equations", SeriesStyle::line, SeriesRole::model, {}, {}, {}, {}};
   Series left{"measured minus computed", SeriesStyle::points, SeriesRole::data, {}, {}, {}, {}};
-  for (std::size_t i = 0; i < stretch.measured.size(); ++i) {
-    const double t = stretch.from_s + static_cast<double>(i) * stretch.sample_s;
+  for (std::size_t i = 0; i < drawn_of(record); ++i) {
+    const double t = stretch.from_s + static_cast<double>(i) * record.sample_s;
     for (Series* series : {&measured, &computed, &left}) series->x.push_back(t);
     measured.y.push_back(stretch.measured[i]);
     computed.y.push_back(stretch.computed[i]);
     left.y.push_back(stretch.measured[i] - stretch.computed[i]);
   }
-  const Channel& channel = campaign.channels[stretch.channel];
+  const Channel& channel = campaign.channels[record.channel];
   Figure figure;
-  figure.title = channel.name + " in " + campaign.records[stretch.record].file;
+  figure.title = channel.name + " in " + campaign.records[record.record].file;
   figure.x = {"Time", "s", false, {}};
   figure.panels.push_back({"", {channel.name, channel.unit, false, {}}, {measured, computed}});
   figure.panels.push_back({"", {"Measured minus computed", channel.unit, false, {}}, {left}, true});
   return figure;
 }
 
-void add_stretch(report::HtmlReport& page, const ComparedStretch& stretch, const Campaign& campaign) {
+LeftInTime left_of(const ComparedRecord& record) {
+  LeftInTime left{{}, record.fitted};
+  for (const ComparedStretch& stretch : record.stretches) {
+    left.stretches.push_back(stretch.measured);
+    for (std::size_t i = 0; i < stretch.measured.size(); ++i) left.stretches.back()[i] -= stretch.computed[i];
+  }
+  return left;
+}
+
+void add_motion(report::HtmlReport& page, const ComparedRecord& record, const Campaign& campaign) {
+  std::vector<double> measured, computed;
+  for (const ComparedStretch& stretch : record.stretches) {
+    measured.insert(measured.end(), stretch.measured.begin(), stretch.measured.end());
+    computed.insert(computed.end(), stretch.computed.begin(), stretch.computed.end());
+  }
+  const double begin = record.stretches[record.loudest].from_s,
+               drawn = static_cast<double>(drawn_of(record)) * record.sample_s,
+               all = static_cast<double>(measured.size()) * record.sample_s;
   page.figure(
-      stretch_figure(stretch, campaign),
-      fmt::format("The stretch of the record in which the motion is largest, and the full equations from the "
-                  "state at its beginning. Fit: {}.",
-                  report::format_percent(share_fitted(stretch.measured, stretch.computed))));
-  std::vector<double> left = stretch.measured;
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] -= stretch.computed[i];
-  add_whiteness(page, left, stretch.sample_s);
+      motion_figure(record, campaign),
+      fmt::format("Drawn: {} s from {} s on, where the motion is largest, and the full equations from the "
+                  "state at the beginning of that segment. Fit of all {} s that were compared, in {} "
+                  "stretch{}: {}.",
+                  report::format_number(drawn, 3), report::format_number(begin, 3), report::format_number(all, 3),
+                  record.stretches.size(), record.stretches.size() == 1 ? "" : "es",
+                  report::format_percent(share_fitted(measured, computed))));
+  add_whiteness(page, left_of(record), record.sample_s);
+}
+
+ComparedInTime in_time(const FullEstimate& full) {
+  ComparedInTime result{full.compared.size(), 0};
+  for (const ComparedRecord& record : full.compared)
+    if (!whiteness_of(left_of(record)).is_white()) ++result.not_white;
+  return result;
 }
 
 }  // namespace
 
 Figure full_figure(const Identification& id) {
   const FullEstimate& full = *id.full;
-  if (full.stretches.empty()) return record_figure(full.labels, full.rows);
-  return stretch_figure(full.stretches.front(), id.campaign);
+  if (full.compared.empty()) return record_figure(full.labels, full.rows);
+  return motion_figure(full.compared.front(), id.campaign);
 }
 
 std::string full_report(const Identification& id, const std::string& command) {
@@ -72,7 +102,7 @@ std::string full_report(const Identification& id, const std::string& command) {
   if (full.has_converged && full.noise_misjudged)
     page.verdict("The noise is misjudged: what the fit leaves says nothing of the model.", report::Tone::caution);
   else if (full.has_converged)
-    page.verdict(verdict_sentence(id.estimate), verdict_tone(id.estimate));
+    page.verdict(verdict_sentence(id.estimate, in_time(full)), verdict_tone(id.estimate, in_time(full)));
   else
     page.verdict("The fit did not come to an end: there are no numbers.", report::Tone::bad);
   add_cards(page, id.estimate, natural_frequencies(*id.model));
@@ -95,8 +125,8 @@ std::string full_report(const Identification& id, const std::string& command) {
   add_values(page, id.estimate, false, natural_frequencies(*id.model));
   add_pairs(page, id.estimate, natural_frequencies(*id.model));
   page.section("Measured and computed");
-  for (std::size_t i = 0; i < std::min(most_stretches, full.stretches.size()); ++i)
-    add_stretch(page, full.stretches[i], id.campaign);
+  for (std::size_t i = 0; i < std::min(most_records, full.compared.size()); ++i)
+    add_motion(page, full.compared[i], id.campaign);
   if (full.records.size() > 1)
     page.figure(record_figure(full.labels, full.rows),
                 "All rows of a record together. One is what repeatability leaves.");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "jobs/identify/case_view.hpp"
@@ -197,6 +198,22 @@ void add_nearly_alike(report::HtmlReport& page, const Estimate& estimate) {
     page.details("Lumps that act nearly alike on these conditions", [&] { page.preformatted(text); });
 }
 
+LeftInTime left_of(const HeldOutPrediction& decay) {
+  std::vector<double> left = decay.measured;
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] -= decay.predicted[i];
+  return {{left}, 0};
+}
+
+ComparedInTime in_time(const Identification& id) {
+  std::set<std::size_t> records, not_white;
+  for (const std::vector<HeldOutPrediction>* decays : {&id.followed, &id.held_out})
+    for (const HeldOutPrediction& decay : *decays) {
+      records.insert(decay.record);
+      if (!whiteness_of(left_of(decay)).is_white()) not_white.insert(decay.record);
+    }
+  return {records.size(), not_white.size()};
+}
+
 void add_decay(report::HtmlReport& page, const CaseView& view, const HeldOutPrediction& decay, bool held_out) {
   const std::string file = view.campaign.records[decay.record].file;
   page.figure(
@@ -205,9 +222,7 @@ void add_decay(report::HtmlReport& page, const CaseView& view, const HeldOutPred
                   held_out ? "The part of the record after the fitted window" : "What was fitted",
                   report::format_percent(share_fitted(decay.measured, decay.predicted))));
   if (decay.time.size() < 2) return;
-  std::vector<double> left = decay.measured;
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] -= decay.predicted[i];
-  add_whiteness(page, left, decay.time[1] - decay.time[0]);
+  add_whiteness(page, left_of(decay), decay.time[1] - decay.time[0]);
 }
 
 // The case of the first figure: the first one of which anything was observed.
@@ -230,9 +245,12 @@ void add_response(report::HtmlReport& page, const Identification& id, const Case
     page.figure(
         response,
         "Peak amplitude of the modal displacement: mean over the ensembles of a dwell, bars of two standard "
-        "deviations of that mean (often smaller than the marker). Lines are the steady responses of the "
-        "modulation equations with the estimated parameters, dashed where they are unstable; hollow markers "
-        "what the full equations of motion do at each dwell's own level. A level has dwells within 5 %.");
+        "deviations of that mean (often smaller than the marker). " +
+            meaning_of_lines(response) +
+            (view.is_replayed()
+                 ? " Hollow markers are what the full equations of motion do at each dwell's own level."
+                 : "") +
+            " A level has dwells within 1 % and the name of their mean.");
     if (const std::optional<Figure> by_level = dwells_by_level(view))
       page.figure(*by_level,
                   "The same dwells against the excitation's amplitude. Frequencies differ from point to "
@@ -249,8 +267,8 @@ void add_response(report::HtmlReport& page, const Identification& id, const Case
     page.figure(
         mode == modes.front() ? response : decay_response(view, mode),
         "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
-        "with the estimated parameters. Band: what the parameters' covariance leaves open, two standard "
-        "deviations.");
+        "with the estimated parameters. Band: two standard deviations by the noise of the measurement and "
+        "by what it leaves open; what a lack of fit adds to the error bars of the table is not in it.");
     if (id.held_out.empty() && view.is_replayed())
       page.figure(decay_residuals(view, mode),
                   "What is left of frequency and decay rate in every window, with bars of two standard deviations. "
@@ -304,14 +322,14 @@ std::string identification_report(const Identification& id, const Figure& respon
   report::HtmlReport page("Identification of " + std::string(id.model->name),
                           "Campaign " + id.campaign.name + ", " + cases_text(id));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
-  page.verdict(verdict_sentence(id.estimate), verdict_tone(id.estimate));
+  page.verdict(verdict_sentence(id.estimate, in_time(id)), verdict_tone(id.estimate, in_time(id)));
   add_cards(page, id.estimate, natural_frequencies(*id.model));
   const bool angle = id.coordinate_unit == "rad";
   for (const HeldOutPrediction& p : id.held_out)
     page.card({"Held out, predicted within",
                angle ? report::format_number(p.rms * 180 / std::numbers::pi, 3) + " degrees RMS"
                      : report::format_number(p.rms, 3) + " " + report::pretty_unit(id.coordinate_unit) + " RMS",
-               fmt::format("{:.1f} s to {:.1f} s, not used in the fit", p.from_s, p.to_s), Tone::good});
+               fmt::format("{:.1f} s to {:.1f} s, not used in the fit", p.from_s, p.to_s), Tone::neutral});
 
   page.section("Parameters");
   page.paragraph(

@@ -23,7 +23,7 @@ struct ResponseLevel {
   double forcing = 0;  ///< mean, peak
   std::vector<DwellMean> dwells;
 };
-inline constexpr double same_level = 0.05;
+inline constexpr double same_level = 0.01;
 
 /// Rising levels.
 std::vector<ResponseLevel> response_levels(const CaseView& view);

@@ -44,36 +44,56 @@ const LackOfFit* worst_misfit(const Estimate& estimate) {
   return worst;
 }
 
+std::size_t equations_tested(const Estimate& estimate) {
+  std::size_t count = 0;
+  for (const CaseLackOfFit& tests : estimate.lack_of_fit) count += tests.equations.size();
+  return count;
+}
+
+/// What the tests say of the model.
+std::string tested_text(const Estimate& estimate) {
+  if (const LackOfFit* misfit = worst_misfit(estimate))
+    return fmt::format(
+        "The model does not hold as it is (its equations miss by {} times what repeats explain), so read the "
+        "numbers "
+        "with care: ",
+        report::format_number(misfit->misfit_ratio, 2));
+  const std::size_t tested = equations_tested(estimate);
+  if (tested == 0) return "No equation could be tested: ";
+  if (estimate.cases.empty()) return "No contradiction in the test of all rows together: ";
+  return fmt::format("No contradiction in {} equation{} tested: ", tested, tested == 1 ? "" : "s");
+}
+
 std::string percent(const EstimatedValue& v) {
   return v.name + " to " + report::format_number(100 * relative(v), 2) + " %";
 }
 
 }  // namespace
 
-std::string verdict_sentence(const Estimate& estimate) {
+std::string verdict_sentence(const Estimate& estimate, const ComparedInTime& in_time) {
   const Known known = known_of(estimate);
-  const LackOfFit* misfit = worst_misfit(estimate);
-  std::string text = misfit ? fmt::format(
-                                  "The model does not hold as it is (its equations miss by {} times what repeats "
-                                  "explain), so read the numbers with care: ",
-                                  report::format_number(misfit->misfit_ratio, 2))
-                     : estimate.lack_of_fit.empty() ? ""
-                                                    : "The model holds within the scatter of repeats: ";
+  std::string text = tested_text(estimate);
   text +=
       fmt::format("{} of {} parameters ha{} a number", known.numbers, known.all, known.numbers == 1 ? "s" : "ve");
   if (known.sharpest) text += ", " + percent(*known.sharpest);
   if (known.bluntest != known.sharpest) text += " at best and " + percent(*known.bluntest) + " at worst";
   if (known.doubtful > 0)
     text += fmt::format("; {} of them {} doubtful", known.doubtful, known.doubtful == 1 ? "is" : "are");
-  text += ".";
-  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text;
+  if (in_time.not_white > 0)
+    text += fmt::format(
+        "; compared in time, {} of {} record{} leave{} what is not white: motion that the model does not make, or "
+        "coloured noise",
+        in_time.not_white, in_time.records, in_time.records == 1 ? "" : "s", in_time.not_white == 1 ? "s" : "");
+  return text + ".";
 }
 
-report::Tone verdict_tone(const Estimate& estimate) {
+report::Tone verdict_tone(const Estimate& estimate, const ComparedInTime& in_time) {
   const Known known = known_of(estimate);
   if (known.numbers == 0) return report::Tone::bad;
-  return worst_misfit(estimate) || known.doubtful > 0 ? report::Tone::caution : report::Tone::good;
+  const bool says_little = equations_tested(estimate) == 0 || 2 * known.numbers < known.all;
+  return worst_misfit(estimate) || known.doubtful > 0 || says_little || in_time.not_white > 0
+             ? report::Tone::caution
+             : report::Tone::good;
 }
 
 }  // namespace secular

@@ -327,10 +327,9 @@ void give_masses(ModalSurvey& survey) {
   }
 }
 
-// Values of a fit that leaves more than noise near its pole, Eq. (M7).
 void remark_on_excess(ModalSurvey& survey) {
   for (SurveyMode& mode : survey.modes)
-    if (mode.diagram.support.more_than_noise && mode.pole == mode.diagram.support.value)
+    if (mode.leaves_more_than_noise())
       mode.remarks.push_back(
           ": one damped motion leaves more than noise there: there may be two modes, or one that changes with "
           "amplitude; its error bars hold a part along its own motion as large as the one that is seen");

@@ -76,6 +76,8 @@ struct SurveyMode {
   double mass_sd = 0;                ///< kg; zero where it was given or cannot be determined
   std::vector<std::string> remarks;  ///< to follow the mode's name in a warning
 
+  /// Its values are those of a fit that leaves more than noise near its pole (docs/inference.md (M7)).
+  bool leaves_more_than_noise() const { return diagram.support.more_than_noise && pole == diagram.support.value; }
   /// Undetermined also where free motions do not tell the pole.
   MotionTrend trend() const;
   /// 95 % by Student's law; nothing where the standard deviations have one degree of freedom or none.

@@ -198,7 +198,7 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   expect_bad_input(run("identify " + campaign + " --model pendulum --from 5 --to 3" + out), "window is empty");
   expect_bad_input(run("identify " + (folder / "nowhere").string() + " --model pendulum" + out), "does not exist");
   EXPECT_FALSE(fs::exists(folder / "out"));
-  const Outcome good = run("identify " + campaign + " --model pendulum --to 20" + out);
+  const Outcome good = run("identify " + campaign + " --model pendulum --by modulation-equations --to 20" + out);
   EXPECT_EQ(good.status, 0) << good.errors;
   const auto estimate = nlohmann::json::parse(text_of(folder / "out/estimate.json"));
   EXPECT_EQ(estimate["schema"], 1);
@@ -208,8 +208,8 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org"));  // nothing is fetched
   EXPECT_EQ(report::test::structure_faults(html), std::vector<std::string>());
-  for (const char* part :
-       {"two standard deviations of the parameters", "Fit: ", "Autocorrelation", "Parameters in pairs"})
+  for (const char* part : {"two sd by noise and what is left open", "Fit: ", "Autocorrelation",
+                           "Parameters in pairs", "--by modulation-equations"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 

@@ -181,6 +181,9 @@ expand_to = 2
       for (const auto& point : branch["points"]) EXPECT_EQ(point["outside_expansion"].get<bool>(), far) << p;
     const std::string warnings = found["warnings"].dump();
     EXPECT_EQ(warnings.find("a constant force") != std::string::npos, far) << warnings;
+    const std::string page = read("out/report.html");
+    EXPECT_EQ(page.find("every stable response of x but rest lies outside") != std::string::npos, far) << p;
+    EXPECT_EQ(page.find("no stable response"), std::string::npos) << p;
   }
 }
 

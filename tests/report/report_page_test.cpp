@@ -69,9 +69,13 @@ TEST(ReportPage, HasAllItsParts) {
 TEST(ReportPage, WarningsThatDifferInNumbersAloneAreFolded) {
   const std::string page = page_with_everything();
   EXPECT_NE(page.find("30 warnings"), std::string::npos);
-  EXPECT_NE(page.find("<summary>30 × mode 0 is seen"), std::string::npos);
+  EXPECT_NE(page.find("<summary>30 of this kind, the first: mode 0 is seen"), std::string::npos);
   const auto kinds = warning_kinds({"mode 1 at 2.5e-3 Hz", "mode 12 at -3 Hz", "mode 1 at rest", "mode 7 at 1 Hz"});
   EXPECT_EQ(kinds, (std::vector<std::vector<std::size_t>>{{0, 1, 3}, {2}}));
+  // A digit of a name tells things apart; that of a file does not.
+  const auto names = warning_kinds({"mu1 moves by 2 %", "mu2 moves by 3 %", "records/dwell_01.csv: left out",
+                                    "mu1 moves by 4 %", "records/dwell_02.csv: left out"});
+  EXPECT_EQ(names, (std::vector<std::vector<std::size_t>>{{0, 3}, {1}, {2, 4}}));
 }
 
 TEST(ReportPage, EveryColourIsReadableInEveryTheme) {
@@ -121,9 +125,10 @@ class ReportInChromium : public ::testing::Test {
 
   // Standard output; standard error is in errors.txt.
   std::string run(const std::string& options) const {
-    const std::string command = program_ + " --headless --hide-scrollbars --no-sandbox --disable-gpu --allow-file-access-from-files" +
-                                " --enable-logging=stderr --user-data-dir='" + (folder_ / "profile").string() +
-                                "' " + options + " 2> '" + (folder_ / "errors.txt").string() + "'";
+    const std::string command =
+        program_ + " --headless --hide-scrollbars --no-sandbox --disable-gpu --allow-file-access-from-files" +
+        " --enable-logging=stderr --user-data-dir='" + (folder_ / "profile").string() + "' " + options + " 2> '" +
+        (folder_ / "errors.txt").string() + "'";
     std::string output;
     FILE* pipe = ::popen(command.c_str(), "r");
     for (int c = 0; pipe && (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
