@@ -25,8 +25,8 @@ std::vector<Index> slopes_of_members(const Refit& fit, const Refit& null) {
   return columns;
 }
 
-/// Standard deviations of their noise at which what quiet rows hold more counts half: once in a thousand by chance.
-constexpr double surely = 3;
+/// Standard deviations of their noise at which what quiet rows hold more counts half: once in 30,000 by chance.
+constexpr double surely = 4;
 
 /// Of a fold's rows.
 struct Fold {

@@ -260,6 +260,7 @@ class SharedFit {
     for (const ResidualInformation& of_case : evidence_of_) evidence_ += of_case.target.size();
     result_.values = start;
     result_.covariance = result_.plain_covariance = MatrixXd::Zero(count_, count_);
+    result_.noise_covariance = MatrixXd::Zero(count_ + directions_, count_ + directions_);
     result_.degrees_of_freedom = VectorXd::Constant(count_, std::numeric_limits<double>::infinity());
     result_.open_variance = VectorXd::Zero(count_);
     result_.slope.assign(cases.size(), MatrixXd());

@@ -55,8 +55,7 @@ std::string tested_text(const Estimate& estimate) {
   if (const LackOfFit* misfit = worst_misfit(estimate))
     return fmt::format(
         "The model does not hold as it is (its equations miss by {} times what repeats explain), so read the "
-        "numbers "
-        "with care: ",
+        "numbers with care: ",
         report::format_number(misfit->misfit_ratio, 2));
   const std::size_t tested = equations_tested(estimate);
   if (tested == 0) return "No equation could be tested: ";
@@ -73,8 +72,9 @@ std::string percent(const EstimatedValue& v) {
 std::string verdict_sentence(const Estimate& estimate, const ComparedInTime& in_time) {
   const Known known = known_of(estimate);
   std::string text = tested_text(estimate);
-  text +=
-      fmt::format("{} of {} parameters ha{} a number", known.numbers, known.all, known.numbers == 1 ? "s" : "ve");
+  text += known.all == 0 ? "all parameters were given"
+                         : fmt::format("{} of {} parameters ha{} a number", known.numbers, known.all,
+                                       known.numbers == 1 ? "s" : "ve");
   if (known.sharpest) text += ", " + percent(*known.sharpest);
   if (known.bluntest != known.sharpest) text += " at best and " + percent(*known.bluntest) + " at worst";
   if (known.doubtful > 0)
@@ -89,7 +89,7 @@ std::string verdict_sentence(const Estimate& estimate, const ComparedInTime& in_
 
 report::Tone verdict_tone(const Estimate& estimate, const ComparedInTime& in_time) {
   const Known known = known_of(estimate);
-  if (known.numbers == 0) return report::Tone::bad;
+  if (known.all > 0 && known.numbers == 0) return report::Tone::bad;
   const bool says_little = equations_tested(estimate) == 0 || 2 * known.numbers < known.all;
   return worst_misfit(estimate) || known.doubtful > 0 || says_little || in_time.not_white > 0
              ? report::Tone::caution

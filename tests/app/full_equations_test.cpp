@@ -179,6 +179,22 @@ TEST_F(FullEquations, TakeAllKindsInOneLikelihood) {
 }
 
 // Of a record that a choice leaves out, and of dwells alone, nothing is different from what it was.
+TEST_F(FullEquations, AndTheOthersTakeAllNumbersAsGiven) {
+  simulate(three_dwells);
+  std::string given;
+  for (const Truth& truth : truths)
+    given += " --fix " + std::string(truth.name) + "=" + std::to_string(truth.value);
+  for (const char* by : {" --by full-equations", " --by modulation-equations"}) {
+    const Json estimate = identified("model.toml", by + given);
+    ASSERT_TRUE(estimate.is_object()) << by << '\n' << printed();
+    for (std::size_t p = 0; p < truths.size(); ++p)
+      EXPECT_DOUBLE_EQ(estimate["estimates"][p]["value"].get<double>(), truths[p].value) << by;
+    std::ifstream page(folder_ / "out/report.html");
+    const std::string html((std::istreambuf_iterator<char>(page)), {});
+    EXPECT_NE(html.find("all parameters were given"), std::string::npos) << by;
+  }
+}
+
 TEST_F(FullEquations, AreNotAskedWhereRecordsHaveAnExpansion) {
   simulate(
       "[[dwell]]\nfrequencies_hz = [9.6, 9.8, 9.9, 10.0, 10.1, 10.2, 10.3, 10.4, 10.6]\namplitudes = [1.0]\n"
