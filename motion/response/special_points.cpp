@@ -17,6 +17,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// In scaled unknowns, and as a share of the largest singular value.
+constexpr double same_place = 1e-6;
+
 enum Test : std::size_t { fold_test, crossing_test, pair_test };
 
 // det [f_x f_p; tangent'] by its sign, the smallest singular value over the largest as its size: it passes zero
@@ -63,12 +66,22 @@ class Locator {
     if (!bracketed) bracketed = from_;
     LocatedPoint located;
     located.point = *bracketed;
-    if (test == fold_test) return saddle_node(located);
+    if (test == fold_test) {
+      LocatedPoint fold = saddle_node(located);
+      return is_crossing(fold.point) ? crossing(fold) : fold;
+    }
     if (test == crossing_test) return crossing(located);
     return hopf(located);
   }
 
  private:
+  // Where branches cross and one leaves the parameter alone, the tests of both change sign, by rounding in steps
+  // that follow one another. With a free phase the test of crossings is zero everywhere, and says nothing.
+  bool is_crossing(const CurvePoint& point) const {
+    return std::abs(crossing_value(field_, point)) < same_place &&
+           !(has_no_sign(crossing_value(field_, from_)) && has_no_sign(crossing_value(field_, to_)));
+  }
+
   LocatedPoint saddle_node(LocatedPoint located) const {
     located.special.kind = SpecialKind::saddle_node;
     const Borders borders = null_vectors(field_.state_jacobian(located.point.unknowns));
@@ -159,7 +172,8 @@ std::vector<LocatedPoint> special_points_between(const ScaledField& field, const
                                                  const BranchStep& step) {
   const Locator locator(field, curve, step.from, step.to);
   const auto turns_back = [&](const LocatedPoint& other) {
-    return other.special.kind == SpecialKind::pitchfork && std::abs(other.point.tangent(field.dimension())) < 1e-6;
+    return other.special.kind == SpecialKind::pitchfork &&
+           std::abs(other.point.tangent(field.dimension())) < same_place;
   };
   std::vector<LocatedPoint> found;
   for (const std::size_t test : {crossing_test, fold_test, pair_test}) {
@@ -171,7 +185,7 @@ std::vector<LocatedPoint> special_points_between(const ScaledField& field, const
     if (!located) continue;
     // Where a continuous symmetry keeps one eigenvalue zero, a saddle-node is a double zero too.
     const auto same = [&](const LocatedPoint& other) {
-      return (other.point.unknowns - located->point.unknowns).norm() < 1e-6;
+      return (other.point.unknowns - located->point.unknowns).norm() < same_place;
     };
     if (located->special.kind == SpecialKind::double_zero && std::any_of(found.begin(), found.end(), same))
       continue;
