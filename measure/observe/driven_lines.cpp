@@ -65,15 +65,24 @@ VectorXd mean_about(const VectorXd& power, const DrivenSpectrum& lines) {
   return mean;
 }
 
-MatrixXd powers(const MatrixXd& samples) {
+// Of Hann; of a sweep, which tells each frequency at a time of its own, with tapers of a twentieth alone.
+VectorXd window_of(RecordKind kind, Index samples) {
+  const Index taper = kind == RecordKind::sweep ? std::max<Index>(1, samples / 20) : samples / 2;
+  VectorXd window = VectorXd::Ones(samples);
+  for (Index i = 0; i < taper; ++i) {
+    const double rise =
+        0.5 - 0.5 * std::cos(0.5 * two_pi * (static_cast<double>(i) + 0.5) / static_cast<double>(taper));
+    window(i) *= rise;
+    window(samples - 1 - i) *= rise;
+  }
+  return window;
+}
+
+MatrixXd powers(const MatrixXd& samples, const VectorXd& window) {
   MatrixXd power(samples.rows() / 2 + 1, samples.cols());
-  const VectorXd hann =
-      (1 - (VectorXd::LinSpaced(samples.rows(), 0, static_cast<double>(samples.rows() - 1)).array() * two_pi /
-            static_cast<double>(samples.rows()))
-               .cos());
   for (Index c = 0; c < samples.cols(); ++c)
     power.col(c) =
-        half_spectrum((samples.col(c).array() - samples.col(c).mean()).matrix().cwiseProduct(hann)).cwiseAbs2();
+        half_spectrum((samples.col(c).array() - samples.col(c).mean()).matrix().cwiseProduct(window)).cwiseAbs2();
   return power;
 }
 
@@ -93,13 +102,14 @@ std::vector<DrivenSpectrum> lines_of_driven(const Campaign& campaign, const Reco
     if (count < 8 * fewest_lines) continue;
     DrivenSpectrum lines;
     lines.bin = two_pi * record.sample_rate_hz / static_cast<double>(count);
-    const MatrixXd driving = powers(samples_of(record, excitations, range.first, count));
+    const VectorXd taper = window_of(entry.kind, count);
+    const MatrixXd driving = powers(samples_of(record, excitations, range.first, count), taper);
     lines.driving = VectorXd::Zero(driving.rows());
     for (Index e = 0; e < driving.cols(); ++e)  // whatever their units
       if (const double all_of_it = driving.col(e).sum(); all_of_it > 0) lines.driving += driving.col(e) / all_of_it;
     lines.about = mean_about(lines.driving, lines);
     lines.largest = lines.about.maxCoeff();
-    lines.response = powers(samples_of(record, responses, range.first, count));
+    lines.response = powers(samples_of(record, responses, range.first, count), taper);
     if (lines.largest > 0 && lines.driving.allFinite() && lines.response.allFinite())
       all.push_back(std::move(lines));
   }
@@ -235,7 +245,12 @@ void assign(ModeLines& found, const std::vector<DrivenPeak>& peaks, const std::v
     const bool is_beside = std::any_of(found.further.begin(), found.further.end(), [&](double taken) {
       return std::abs(peaks[p].frequency - taken) < measure_thresholds().largest_detuning * taken;
     });
-    if (!is_in_range[p] && !is_beside) found.further.push_back(peaks[p].frequency);
+    // A nominal value is right to less than a half at best, see (40).
+    bool is_credible = false;
+    for (std::size_t k = 0; k < nominal.size(); ++k)
+      is_credible = is_credible || (found.may_be_further[k] && !(peaks[p].frequency < 0.5 * nominal[k]) &&
+                                    !(peaks[p].frequency > 2 * nominal[k]));
+    if (is_credible && !is_in_range[p] && !is_beside) found.further.push_back(peaks[p].frequency);
   }
 }
 

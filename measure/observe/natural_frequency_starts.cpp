@@ -183,7 +183,8 @@ NaturalFrequencyStarts natural_frequency_starts(const Campaign& campaign, const 
   NaturalFrequencyStarts starts{search.centred(found), {}};
   for (std::size_t k = 0; k < nominal.size(); ++k) {
     starts.moved.push_back(std::isfinite(nominal[k]) && found[k] != nominal[k]);
-    if (!is_driven || !seen.at_nominal[k] || starts.moved[k]) continue;
+    // Of several modes a peak within the search range may be another's.
+    if (!is_driven || nominal.size() > 1 || !seen.at_nominal[k] || starts.moved[k]) continue;
     if (std::abs(*seen.at_nominal[k] - nominal[k]) < near_enough * nominal[k]) continue;
     starts.frequency[k] = *seen.at_nominal[k];
     starts.moved[k] = true;
