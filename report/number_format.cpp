@@ -132,6 +132,10 @@ std::string format_percent(double fraction, int decimals) {
   return format_fixed(100 * fraction, decimals) + std::string(narrow_space()) + "%";
 }
 
+std::string format_p(double probability) {
+  return probability < 1e-15 ? "p < 1e-15" : fmt::format("p = {:.2g}", probability);
+}
+
 std::string pretty_unit(std::string_view unit) {
   if (unit.empty() || unit == "1") return "";
   std::string text;

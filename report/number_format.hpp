@@ -54,4 +54,7 @@ std::string superscript(int number);
 /// Decimal digits with a true minus sign: fixed notation, `decimals` digits after the point.
 std::string format_fixed(double value, int decimals);
 
+/// "p = 0.012"; one that rounding takes to zero is said to be small, not none: "p < 1e-15".
+std::string format_p(double probability);
+
 }  // namespace secular::report

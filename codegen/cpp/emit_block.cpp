@@ -169,9 +169,8 @@ class BlockText {
   void row() {
     code_.line("template <class Number, class Factors> [[gnu::always_inline]]");
     code_.line(
-        fmt::format("static void row(const Model::Signals<Number>&{}, const Factors& "
-                    "factor, ComplexNumber<Number>* "
-                    "column) {{",
+        fmt::format("static void row(const Model::Signals<Number>&{}, const Factors& factor, "
+                    "ComplexNumber<Number>* column) {{",
                     monomials_.uses_any() ? " signals" : ""));
     if (monomials_.uses_any()) code_.list("const auto& [", signals_, "] = signals;");
     for (std::size_t j = 0; j < columns_.size(); ++j)

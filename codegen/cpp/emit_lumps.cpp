@@ -92,8 +92,8 @@ void emit_lump_gradients(Emitter& emitter) {
   if (all.values.empty()) return;
   code.comment(
       "gradient[p] = derivative of a lump by parameters[p], entries that are not zero. Of lumps with small "
-      "divisors: "
-      "f_n are the fractions whose sum the lump is, q_d those of divisor d times its power and inverse, c_n what "
+      "divisors: f_n are the fractions whose sum the lump is, q_d those of divisor d times its power and inverse, "
+      "c_n what "
       "multiplies a product of coefficients.");
   code.line("struct LumpGradients : Lumps {");
   code.line("using Lumps::Lumps;").line();

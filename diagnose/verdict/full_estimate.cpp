@@ -245,8 +245,7 @@ std::vector<std::string> warnings_of(const Attempt& best, const JudgedRows& judg
   if (best.fitted.inference.null.fit.ending == SolverEnding::converged && !best.has_converged())
     warnings.push_back(
         "nothing that was measured depends on the model's numbers where the fit ended: there are none (do the "
-        "records "
-        "hold a motion that the excitation makes?)");
+        "records hold a motion that the excitation makes?)");
   else if (!best.has_converged())
     warnings.push_back(
         "the fit by the full equations did not come to an end: there are no numbers (rough values of the model's "

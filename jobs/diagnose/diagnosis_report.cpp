@@ -30,11 +30,6 @@ using report::Tone;
 /// Of the ranking.
 constexpr std::size_t most_causes = 10;
 
-/// A probability that rounding takes to zero is said to be small, not none.
-std::string p_text(double p) {
-  return p < 1e-15 ? "p < 1e-15" : fmt::format("p = {:.2g}", p);
-}
-
 std::string spaced(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
@@ -439,7 +434,7 @@ std::string diagnosis_report(const DiagnosisRun& run, const std::string& command
   const Tone tone = d.verdict == "no_gap" ? Tone::good : d.verdict == "unknown" ? Tone::bad : Tone::caution;
   page.verdict(sentence(d), tone);
   page.card({"Verdict", verdict_text(d), "", tone});
-  page.card({"Gap", report::format_number(d.gap.before, 3) + " × repeatability", p_text(d.gap.p_value),
+  page.card({"Gap", report::format_number(d.gap.before, 3) + " × repeatability", report::format_p(d.gap.p_value),
              d.gap.detected ? Tone::caution : Tone::good});
   if (d.gap.detected)
     page.card({"Closed", report::format_percent(d.gap.closed),

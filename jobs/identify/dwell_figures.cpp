@@ -136,11 +136,9 @@ std::string meaning_of_lines(const Figure& response) {
   const std::vector<Series>& series = response.panels.front().series;
   if (std::none_of(series.begin(), series.end(), [](const Series& s) { return s.style == SeriesStyle::line; }))
     return "No steady response of the modulation equations but the state of rest is drawn: their parameters are "
-           "not "
-           "all known, several excitations act, or none was found.";
+           "not all known, several excitations act, or none was found.";
   return "Lines are the steady responses of the modulation equations with the estimated parameters but for the "
-         "state "
-         "of rest, dashed where they are unstable; a coloured level without a line has none that was found.";
+         "state of rest, dashed where they are unstable; a coloured level without a line has none that was found.";
 }
 
 std::optional<Figure> dwells_by_level(const CaseView& view) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "jobs/identify/estimate_tables.hpp"
 #include "jobs/identify/full_equations.hpp"
@@ -95,24 +97,27 @@ Figure full_figure(const Identification& id) {
 
 std::string full_report(const Identification& id, const std::string& command) {
   const FullEstimate& full = *id.full;
+  const std::set<std::string> frequencies = natural_frequencies(*id.model);
   report::HtmlReport page(
       "Identification of " + std::string(id.model->name),
       "Campaign " + id.campaign.name + ", by the full equations: " + records_in_words(id.campaign, full.records));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
-  if (full.has_converged && full.noise_misjudged)
+  if (full.has_converged && full.noise_misjudged) {
     page.verdict("The noise is misjudged: what the fit leaves says nothing of the model.", report::Tone::caution);
-  else if (full.has_converged)
-    page.verdict(verdict_sentence(id.estimate, in_time(full)), verdict_tone(id.estimate, in_time(full)));
-  else
+  } else if (full.has_converged) {
+    const ComparedInTime compared = in_time(full);
+    page.verdict(verdict_sentence(id.estimate, compared), verdict_tone(id.estimate, compared));
+  } else {
     page.verdict("The fit did not come to an end: there are no numbers.", report::Tone::bad);
-  add_cards(page, id.estimate, natural_frequencies(*id.model));
+  }
+  add_cards(page, id.estimate, frequencies);
   if (full.has_converged) {
     const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
     page.card({"Fit of all records", report::format_number(fit.misfit_ratio, 3) + " times repeatability",
-               fmt::format("p {}{}", fit.p_value < 1e-15 ? "< 1e-15" : fmt::format("= {:.2g}", fit.p_value),
-                           full.noise_misjudged ? ": the noise is misjudged, and nothing is said of the model"
-                           : fit.significant    ? ", the model does not hold"
-                                                : ""),
+               report::format_p(fit.p_value) + (full.noise_misjudged
+                                                    ? ": the noise is misjudged, and nothing is said of the model"
+                                                : fit.significant ? ", the model does not hold"
+                                                                  : ""),
                fit.significant || full.noise_misjudged ? report::Tone::caution : report::Tone::good});
   }
   page.section("Parameters");
@@ -122,8 +127,8 @@ std::string full_report(const Identification& id, const std::string& command) {
                        "parameter that is \"not identifiable\" moves nothing that was measured, or only together "
                        "with those it is entangled with."
                      : "The fit did not come to an end: there are no numbers.");
-  add_values(page, id.estimate, false, natural_frequencies(*id.model));
-  add_pairs(page, id.estimate, natural_frequencies(*id.model));
+  add_values(page, id.estimate, false, frequencies);
+  add_pairs(page, id.estimate, frequencies);
   page.section("Measured and computed");
   for (std::size_t i = 0; i < std::min(most_records, full.compared.size()); ++i)
     add_motion(page, full.compared[i], id.campaign);

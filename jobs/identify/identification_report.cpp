@@ -319,11 +319,13 @@ Figure response_figure(const Identification& id) {
 
 std::string identification_report(const Identification& id, const Figure& response, const std::string& command) {
   if (id.full) return full_report(id, command);
+  const std::set<std::string> frequencies = natural_frequencies(*id.model);
   report::HtmlReport page("Identification of " + std::string(id.model->name),
                           "Campaign " + id.campaign.name + ", " + cases_text(id));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
-  page.verdict(verdict_sentence(id.estimate, in_time(id)), verdict_tone(id.estimate, in_time(id)));
-  add_cards(page, id.estimate, natural_frequencies(*id.model));
+  const ComparedInTime compared = in_time(id);
+  page.verdict(verdict_sentence(id.estimate, compared), verdict_tone(id.estimate, compared));
+  add_cards(page, id.estimate, frequencies);
   const bool angle = id.coordinate_unit == "rad";
   for (const HeldOutPrediction& p : id.held_out)
     page.card({"Held out, predicted within",
@@ -334,16 +336,14 @@ std::string identification_report(const Identification& id, const Figure& respon
   page.section("Parameters");
   page.paragraph(
       "Physical parameters of the model as far as these data determine them. A parameter in the second column's "
-      "words "
-      "\"not identifiable\" cannot be told apart from those it is entangled with: no number is given for it. "
-      "Standard "
-      "deviations have two parts: by noise, from the scatter between test conditions, and what is left open, the "
-      "bias "
-      "that the expansion's truncation may have where entangled parameters act beyond it (another measurement of "
-      "the "
-      "same kind would not change that part).");
-  add_values(page, id.estimate, false, natural_frequencies(*id.model));
-  add_pairs(page, id.estimate, natural_frequencies(*id.model));
+      "words \"not identifiable\" cannot be told apart from those it is entangled with: no number is given for it. "
+      "Standard deviations have two parts: by noise, from the scatter between test conditions, and what is left "
+      "open, the "
+      "bias that the expansion's truncation may have where entangled parameters act beyond it (another measurement "
+      "of "
+      "the same kind would not change that part).");
+  add_values(page, id.estimate, false, frequencies);
+  add_pairs(page, id.estimate, frequencies);
   for (const std::string& line : scatter_lines(id.estimate)) page.paragraph(line + ".");
   for (std::size_t c = 0; c < id.measured.size(); ++c) {
     const CaseView view = view_of(id, c);
@@ -358,7 +358,7 @@ std::string identification_report(const Identification& id, const Figure& respon
   if (!id.estimate.damping.empty()) add_damping(page, id.estimate);
   page.section("Lumps");
   page.paragraph("The parameter combinations that the regression sees near this resonance.");
-  add_values(page, id.estimate, true, natural_frequencies(*id.model));
+  add_values(page, id.estimate, true, frequencies);
   add_regression_quality(page, id.estimate);
   add_lack_of_fit(page, id.estimate);
   add_tests(page, id.estimate);

@@ -29,7 +29,9 @@ double noise_beside(const std::vector<double>& powers, std::size_t bin) {
   return std::max(below, above);
 }
 
-// What the window leaves of a line half a bin off its bin.
+// What the window leaves of a line half a bin off its bin: (a0 s(1/2) + sum of a_k/2 (s(1/2 - k) + s(1/2 + k)))/a0
+// with s(x) = sin(pi x)/(pi x) and the a of lobe_window() (0.83 dB; F. J. Harris, Proceedings of the IEEE 66,
+// 1978).
 constexpr double half_a_bin_off = 0.909;
 
 // Both halves show the line, its amplitudes differ by no more than the noise that is beside it in each, and the

@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 constexpr double half_range = 0.01;
 /// At least so many lines to either side: neighbours of a Hann window are correlated.
 constexpr Index fewest_lines = 4;
-/// Lines of a Hann window over those that are independent.
+/// Lines of a Hann window over those that are independent: its equivalent noise bandwidth in bins.
 constexpr double lines_per_value = 1.5;
 /// A line drives where it holds this share of the power about it, and that this share of the largest.
 constexpr double share_about = 0.1, share_of_largest = 0.01;
@@ -43,6 +43,7 @@ struct DrivenSpectrum {
   VectorXd about;      // the mean of `driving` over the range about each line
   double largest = 0;  // of `about`
   MatrixXd response;   // lines x channels
+  MatrixXd bends;      // the same: sizes of second differences of log(response/driving), NaN where not all drive
 
   bool drives(Index i) const {
     return about(i) >= share_of_largest * largest && driving(i) >= share_about * about(i);
@@ -86,6 +87,20 @@ MatrixXd powers(const MatrixXd& samples, const VectorXd& window) {
   return power;
 }
 
+// Over lines that are each next but one to the last.
+MatrixXd second_differences(const DrivenSpectrum& lines) {
+  const Index count = lines.about.size();
+  MatrixXd bends = MatrixXd::Constant(count, lines.response.cols(), nothing);
+  for (Index c = 0; c < lines.response.cols(); ++c) {
+    VectorXd logarithm(count);
+    for (Index i = 0; i < count; ++i)
+      logarithm(i) = lines.drives(i) ? std::log(lines.response(i, c) / lines.driving(i)) : nothing;
+    for (Index i = 3; i + 2 < count; ++i)
+      bends(i, c) = std::abs(logarithm(i - 2) - 2 * logarithm(i) + logarithm(i + 2));
+  }
+  return bends;
+}
+
 std::vector<DrivenSpectrum> lines_of_driven(const Campaign& campaign, const RecordReader& read,
                                             const Window& window) {
   const std::vector<std::size_t> excitations = channels_of(campaign, ChannelRole::excitation),
@@ -110,8 +125,9 @@ std::vector<DrivenSpectrum> lines_of_driven(const Campaign& campaign, const Reco
     lines.about = mean_about(lines.driving, lines);
     lines.largest = lines.about.maxCoeff();
     lines.response = powers(samples_of(record, responses, range.first, count), taper);
-    if (lines.largest > 0 && lines.driving.allFinite() && lines.response.allFinite())
-      all.push_back(std::move(lines));
+    if (!(lines.largest > 0) || !lines.driving.allFinite() || !lines.response.allFinite()) continue;
+    lines.bends = second_differences(lines);
+    all.push_back(std::move(lines));
   }
   return all;
 }
@@ -138,17 +154,13 @@ struct DrivenRatio {
   double sd = nothing;     // of its logarithm, at most
 };
 
-// Standard deviation of a line's logarithm: by second differences of lines about it, each next but one to the last.
+// Standard deviation of the logarithm of a line about that one.
 double sd_of_lines(const DrivenSpectrum& lines, Index channel, Index at, Index half) {
-  const Index low = std::max<Index>(3, at - wider * half),
-              end = std::min(lines.about.size() - 2, at + wider * half + 1);
-  const auto logarithm = [&](Index i) {
-    return lines.drives(i) ? std::log(lines.response(i, channel) / lines.driving(i)) : nothing;
-  };
+  const Index low = std::max<Index>(0, at - wider * half),
+              end = std::min(lines.about.size(), at + wider * half + 1);
   std::vector<double> differences;
   for (Index i = low; i < end; ++i)
-    if (const double second = logarithm(i - 2) - 2 * logarithm(i) + logarithm(i + 2); std::isfinite(second))
-      differences.push_back(std::abs(second));
+    if (std::isfinite(lines.bends(i, channel))) differences.push_back(lines.bends(i, channel));
   return differences.empty() ? nothing : sd_of_median * upper_median(std::move(differences)) / std::sqrt(6.0);
 }
 

@@ -123,7 +123,7 @@ class BranchTracer {
       }
       shortened = 0;
       for (LocatedPoint& located : special_points_between(field_, curve_, {from, to, before, after}))
-        if (run.special.empty() || !is_same(run.special.back(), located))
+        if (run.special.empty() || !are_one(run.special.back().located, located))
           run.special.push_back({run.points.size() - 1, std::move(located)});
       before = after;
       run.points.push_back(to);
@@ -133,13 +133,9 @@ class BranchTracer {
     return run;
   }
 
-  static bool is_same(const PlacedPoint& placed, const LocatedPoint& other) {
-    return (placed.located.point.unknowns - other.point.unknowns).norm() < 1e-6;
-  }
-
   // The start may itself be a special point: looks across it.
   void join(Run& ahead, Run& back, bool closed) const {
-    if (closed && ahead.special.size() > 1 && is_same(ahead.special.front(), ahead.special.back().located))
+    if (closed && ahead.special.size() > 1 && are_one(ahead.special.front().located, ahead.special.back().located))
       ahead.special.pop_back();
     if (ahead.points.size() < 3 || (!closed && back.points.size() < 2)) return;
     CurvePoint before = closed ? ahead.points[ahead.points.size() - 2] : back.points[1];
@@ -149,7 +145,7 @@ class BranchTracer {
     const BranchStep across{before, ahead.points[1], branch_tests(field_, before),
                             branch_tests(field_, ahead.points[1])};
     for (LocatedPoint& located : special_points_between(field_, curve_, across)) {
-      const auto same = [&](const PlacedPoint& other) { return is_same(other, located); };
+      const auto same = [&](const PlacedPoint& other) { return are_one(other.located, located); };
       if (std::any_of(ahead.special.begin(), ahead.special.end(), same)) continue;
       if (std::any_of(back.special.begin(), back.special.end(), same)) continue;
       ahead.special.insert(ahead.special.begin(), PlacedPoint{0, std::move(located)});

@@ -57,13 +57,13 @@ std::optional<VectorXd> near_solution(const EquationSystem& system, const Vector
 
 class Locator {
  public:
-  Locator(const ScaledField& field, const EquationSystem& curve, const CurvePoint& from, const CurvePoint& to)
-      : field_(field), curve_(curve), from_(from), to_(to), reach_((to.unknowns - from.unknowns).norm()) {}
+  Locator(const ScaledField& field, const EquationSystem& curve, const BranchStep& step)
+      : field_(field), curve_(curve), step_(step), reach_((step.to.unknowns - step.from.unknowns).norm()) {}
 
   std::optional<LocatedPoint> locate(std::size_t test) const {
     const auto value = [&](const CurvePoint& point) { return test_value(field_, point, test); };
-    std::optional<CurvePoint> bracketed = zero_between(curve_, from_, to_, value, 1e-6);
-    if (!bracketed) bracketed = from_;
+    std::optional<CurvePoint> bracketed = zero_between(curve_, step_.from, step_.to, value, 1e-6);
+    if (!bracketed) bracketed = step_.from;
     LocatedPoint located;
     located.point = *bracketed;
     if (test == fold_test) {
@@ -79,7 +79,7 @@ class Locator {
   // that follow one another. With a free phase the test of crossings is zero everywhere, and says nothing.
   bool is_crossing(const CurvePoint& point) const {
     return std::abs(crossing_value(field_, point)) < same_place &&
-           !(has_no_sign(crossing_value(field_, from_)) && has_no_sign(crossing_value(field_, to_)));
+           !(has_no_sign(step_.before.value[crossing_test]) && has_no_sign(step_.after.value[crossing_test]));
   }
 
   LocatedPoint saddle_node(LocatedPoint located) const {
@@ -100,7 +100,7 @@ class Locator {
     start << located.point.unknowns, 0;
     take(near_solution(system, start, located.point.unknowns, reach_), located);
     // Tangents computed there are nobody's: the chord tells which of the two branches this is.
-    const VectorXd chord = (to_.unknowns - from_.unknowns).normalized();
+    const VectorXd chord = (step_.to.unknowns - step_.from.unknowns).normalized();
     const CrossingTangents crossing = crossing_tangents(field_, located.point.unknowns, chord);
     located.point.tangent = chord;
     located.special.kind = crossing.kind;
@@ -143,11 +143,15 @@ class Locator {
 
   const ScaledField& field_;
   const EquationSystem& curve_;
-  const CurvePoint &from_, &to_;
+  const BranchStep& step_;
   double reach_;
 };
 
 }  // namespace
+
+bool are_one(const LocatedPoint& one, const LocatedPoint& other) {
+  return (one.point.unknowns - other.point.unknowns).norm() < same_place;
+}
 
 bool has_no_sign(double test) {
   return !(std::abs(test) > 1e-9);
@@ -170,7 +174,7 @@ bool explained(const BranchTests& from, const BranchTests& to) {
 
 std::vector<LocatedPoint> special_points_between(const ScaledField& field, const EquationSystem& curve,
                                                  const BranchStep& step) {
-  const Locator locator(field, curve, step.from, step.to);
+  const Locator locator(field, curve, step);
   const auto turns_back = [&](const LocatedPoint& other) {
     return other.special.kind == SpecialKind::pitchfork &&
            std::abs(other.point.tangent(field.dimension())) < same_place;
@@ -184,9 +188,7 @@ std::vector<LocatedPoint> special_points_between(const ScaledField& field, const
     std::optional<LocatedPoint> located = locator.locate(test);
     if (!located) continue;
     // Where a continuous symmetry keeps one eigenvalue zero, a saddle-node is a double zero too.
-    const auto same = [&](const LocatedPoint& other) {
-      return (other.point.unknowns - located->point.unknowns).norm() < same_place;
-    };
+    const auto same = [&](const LocatedPoint& other) { return are_one(other, *located); };
     if (located->special.kind == SpecialKind::double_zero && std::any_of(found.begin(), found.end(), same))
       continue;
     found.push_back(std::move(*located));

@@ -32,6 +32,9 @@ struct LocatedPoint {
   CurvePoint point;
 };
 
+/// Whether both are one point: within 1e-6 of each other, which rounding leaves.
+bool are_one(const LocatedPoint& one, const LocatedPoint& other);
+
 /// A step along a branch, with the tests of its ends.
 struct BranchStep {
   const CurvePoint &from, &to;
