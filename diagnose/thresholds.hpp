@@ -22,6 +22,7 @@ struct DiagnoseThresholds {
   double drift_alarm = 2e-3;
   double lower_line_alarm = 1e-6;
   double most_deviations = 4;
+  double quiet_rows_sd = 4;
   // Tuned.
   double most_overestimated = 2;
   double first_scatter = 0.003;

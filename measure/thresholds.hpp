@@ -20,6 +20,7 @@ struct MeasureThresholds {
   double offset_sd = 4;
   double dwell_drift_sd = 4;
   double motion_false_alarm = 1e-6;
+  double driven_peak_sd = 4;
   // Tuned.
   double same_setting = 1e-3;
   std::size_t rarest_share = 16;
@@ -48,6 +49,9 @@ struct MeasureThresholds {
   double largest_detuning = 0.15;
   double same_level = 0.2;
   double dwell_drift = 0.01;
+  double driven_range = 0.01;
+  double driving_share = 0.01;
+  double driving_share_about = 0.1;
 };
 
 /// Those in use.

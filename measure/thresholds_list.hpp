@@ -48,6 +48,10 @@ inline constexpr std::array measure_threshold_list = {
                                  "probability", "noise is taken for a motion",
                                  "per mode and ensemble: 5.3 standard deviations, by Rayleigh's law",
                                  "signal/tone_fit.cpp"},
+    Threshold<MeasureThresholds>{"driven_peak_sd", &MeasureThresholds::driven_peak_sd, ThresholdKind::alarm,
+                                 "standard deviations", "noise is a resonance that driven records show",
+                                 "probability 3e-5 per range, of peak and valley each; docs/inference.md (51)",
+                                 "observe/driven_lines.cpp"},
     Threshold<MeasureThresholds>{"same_setting", &MeasureThresholds::same_setting, ThresholdKind::tuned, "relative",
                                  "frequencies of sampling or excitation that were meant to be one",
                                  "no draws: clocks of two instruments differ by less",
@@ -148,6 +152,17 @@ inline constexpr std::array measure_threshold_list = {
     Threshold<MeasureThresholds>{"dwell_drift", &MeasureThresholds::dwell_drift, ThresholdKind::tuned, "relative",
                                  "of the amplitude over a dwell that has settled", "no record of the draws",
                                  "observe/dwell_observation.cpp"},
+    Threshold<MeasureThresholds>{"driven_range", &MeasureThresholds::driven_range, ThresholdKind::tuned, "relative",
+                                 "half of the range whose lines are one value of response over excitation",
+                                 "no draws: far below the 1/12 that a start needs", "observe/driven_lines.cpp"},
+    Threshold<MeasureThresholds>{"driving_share", &MeasureThresholds::driving_share, ThresholdKind::tuned,
+                                 "share of the power", "a line with less than this of the largest drives nothing",
+                                 "no draws: a tenth of the amplitude, where noise of readings is said to begin",
+                                 "observe/driven_lines.cpp"},
+    Threshold<MeasureThresholds>{"driving_share_about", &MeasureThresholds::driving_share_about,
+                                 ThresholdKind::tuned, "share of the power",
+                                 "a line with less than this of the mean about it drives nothing",
+                                 "no draws: lines between those of a multisine", "observe/driven_lines.cpp"},
 };
 static_assert(sizeof(MeasureThresholds) == 8 * measure_threshold_list.size(), "each has its row");
 

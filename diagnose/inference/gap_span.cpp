@@ -4,6 +4,7 @@
 #include <map>
 
 #include "diagnose/inference/screening.hpp"
+#include "diagnose/thresholds.hpp"
 #include "numerics/orthonormal_span.hpp"
 
 namespace secular {
@@ -24,9 +25,6 @@ std::vector<Index> slopes_of_members(const Refit& fit, const Refit& null) {
       columns.push_back(static_cast<Index>(f));
   return columns;
 }
-
-/// Standard deviations of their noise at which what quiet rows hold more counts half: once in 30,000 by chance.
-constexpr double surely = 4;
 
 /// Of a fold's rows.
 struct Fold {
@@ -50,8 +48,8 @@ VectorXd weights_beside(const VectorXd& moved, const VectorXd& excess, const std
   for (const auto& [number, fold] : folds) guessed += scale * fold.moved / fold.rows * fold.excess;
   guessed = std::max(0.0, guessed);
   const double more = std::max(0.0, excess.sum() - guessed),
-               of_chance =
-                   surely * std::sqrt(std::max(0.0, 2 * (static_cast<double>(moved.size()) - effective_rows))),
+               of_chance = diagnose_thresholds().quiet_rows_sd *
+                           std::sqrt(std::max(0.0, 2 * (static_cast<double>(moved.size()) - effective_rows))),
                as_they_are = more > 0 ? 1 / (1 + std::pow(of_chance / more, 8)) : 0,
                by_guess = guessed > 0 ? 1 - as_they_are : 0;
   VectorXd weights(moved.size());

@@ -19,20 +19,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Shares and numbers of docs/inference.md (51).
+// Numbers of docs/inference.md (51); more are thresholds.
 
-/// Half of the range, as a share of its middle, whose lines are one value.
-constexpr double half_range = 0.01;
-/// At least so many lines to either side: neighbours of a Hann window are correlated.
+/// At least so many lines to either side: neighbours are correlated.
 constexpr Index fewest_lines = 4;
 /// Lines of a Hann window over those that are independent: its equivalent noise bandwidth in bins.
 constexpr double lines_per_value = 1.5;
-/// A line drives where it holds this share of the power about it, and that this share of the largest.
-constexpr double share_about = 0.1, share_of_largest = 0.01;
 /// Ranges over which lines are compared to tell their scatter.
 constexpr Index wider = 5;
-/// Standard deviations by which noise moves a peak, and a valley: one range in 30,000.
-constexpr double sure = 4;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -46,10 +40,11 @@ struct DrivenSpectrum {
   MatrixXd bends;      // the same: sizes of second differences of log(response/driving), NaN where not all drive
 
   bool drives(Index i) const {
-    return about(i) >= share_of_largest * largest && driving(i) >= share_about * about(i);
+    return about(i) >= measure_thresholds().driving_share * largest &&
+           driving(i) >= measure_thresholds().driving_share_about * about(i);
   }
   Index half(double frequency) const {
-    return std::max(fewest_lines, static_cast<Index>(half_range * frequency / bin));
+    return std::max(fewest_lines, static_cast<Index>(measure_thresholds().driven_range * frequency / bin));
   }
 };
 
@@ -138,13 +133,15 @@ std::vector<double> ranges_of(const std::vector<DrivenSpectrum>& all, const Wind
   for (const DrivenSpectrum& lines : all)
     for (Index i = 1; i < lines.about.size(); ++i) {
       const double frequency = static_cast<double>(i) * lines.bin;
-      if (lines.about(i) < share_of_largest * lines.largest || !window.passes(frequency)) continue;
+      if (lines.about(i) < measure_thresholds().driving_share * lines.largest || !window.passes(frequency))
+        continue;
       low = std::min(low, frequency);
       high = std::max(high, frequency);
       finest = std::min(finest, lines.bin);
     }
   std::vector<double> middles;
-  for (double w = low; w <= high; w += std::max(finest, half_range * w / 4)) middles.push_back(w);
+  for (double w = low; w <= high; w += std::max(finest, measure_thresholds().driven_range * w / 4))
+    middles.push_back(w);
   return middles;
 }
 
@@ -173,7 +170,9 @@ DrivenRatio ratio_at(double middle, const std::vector<DrivenSpectrum>& all) {
     for (const DrivenSpectrum& lines : all) {
       const Index half = lines.half(middle), at = static_cast<Index>(std::lround(middle / lines.bin));
       if (at - half < 1 || at + half >= lines.about.size()) continue;
-      if (lines.about.segment(at - half, 2 * half + 1).minCoeff() < share_of_largest * lines.largest) continue;
+      if (lines.about.segment(at - half, 2 * half + 1).minCoeff() <
+          measure_thresholds().driving_share * lines.largest)
+        continue;
       for (Index i = at - half; i <= at + half; ++i)
         if (lines.drives(i)) values.push_back(lines.response(i, c) / lines.driving(i));
       const double own = sd_of_lines(lines, c, at, half);
@@ -211,7 +210,9 @@ bool falls(const std::vector<DrivenRatio>& ratios, std::size_t i, int step) {
     const DrivenRatio& other = ratios[static_cast<std::size_t>(j)];
     if (!(other.power < power || (step > 0 && other.power == power)))
       return false;  // above, or nothing drives there
-    if (std::log(power / other.power) > std::numbers::ln2 + sure * (ratios[i].sd + other.sd)) return true;
+    if (std::log(power / other.power) >
+        std::numbers::ln2 + measure_thresholds().driven_peak_sd * (ratios[i].sd + other.sd))
+      return true;
   }
   return false;
 }

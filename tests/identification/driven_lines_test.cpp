@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "measure/observe/natural_frequency_starts.hpp"
+#include "measure/thresholds_list.hpp"
 #include "numerics/hertz.hpp"
+#include "tests/changed_thresholds.hpp"
 #include "tests/driven_response.hpp"
 
 namespace secular {
@@ -118,6 +120,26 @@ TEST(DrivenLines, AModeNearTheEndOfASweepIsSeen) {
   EXPECT_FALSE(start(10).moved[0]);
   EXPECT_NEAR(start(7).frequency[0], two_pi * 10, 0.02 * two_pi * 10);
   EXPECT_FALSE(start(3).moved[0]);
+}
+
+// Tuned numbers by half and by twice: frequencies of modes that stand out stay within the range, and noise shows
+// none.
+TEST(DrivenLines, NoNumberDecidesWhereAModeIs) {
+  for (const auto& threshold : measure_threshold_list) {
+    if (threshold.where != "observe/driven_lines.cpp" || threshold.kind != ThresholdKind::tuned) continue;
+    for (const double by : {0.5, 2.0}) {
+      testing_support::ChangedThresholds<MeasureThresholds> changed;
+      changed.multiply(threshold, by);
+      const ModeLines lines = lines_of({{11, 0.01}, {31, 0.02}}, 2, 5, {11, 31});
+      for (std::size_t k = 0; k < 2; ++k) {
+        ASSERT_TRUE(lines.at_nominal[k]) << threshold.name << ' ' << by;
+        EXPECT_NEAR(*lines.at_nominal[k], two_pi * (k == 0 ? 11 : 31), 0.03 * *lines.at_nominal[k])
+            << threshold.name << ' ' << by;
+      }
+      for (unsigned seed = 0; seed < 10; ++seed)
+        EXPECT_TRUE(lines_of({}, 1, seed, {none}).further.empty()) << threshold.name << ' ' << by;
+    }
+  }
 }
 
 // Of a multisine of few lines nothing is told, whatever the noise: second differences need lines that are next.
