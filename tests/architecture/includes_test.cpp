@@ -136,8 +136,8 @@ TEST(Layout, EveryFolderOfSourcesHasARule) {
   }
 }
 
-/// A library is its folder's: in `app`, `app/mpi` and `codegen` themselves stand what programs alone consist of, and
-/// python/module is loaded by Python.
+/// A library is its folder's: in `app`, `app/mpi` and `codegen` themselves stand what programs alone consist of,
+/// and python/module is loaded by Python.
 TEST(Layout, EveryFolderOfSourcesIsOneLibrary) {
   std::multiset<std::string> libraries;
   const auto take = [&](const std::string& file, const std::regex& call, const std::string& before) {
