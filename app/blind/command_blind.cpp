@@ -85,8 +85,9 @@ void generate(const BlindArguments& options) {
 
 blind::RunOptions run_options(const BlindArguments& options) {
   blind::RunOptions how;
-  how.program = options.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
-                                        : std::filesystem::absolute(options.program);
+  // `secular-mpi` lies beside the program that it runs.
+  how.program = options.program.empty() ? fs::read_symlink("/proc/self/exe").replace_filename("secular")
+                                        : fs::absolute(options.program);
   how.threads = options.threads;
   how.limit_s = options.limit_s;
   return how;

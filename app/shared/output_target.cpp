@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "input/input_error.hpp"
+#include "input/whole_folder.hpp"
 #include "measure/data/campaign_target.hpp"
-#include "measure/data/whole_folder.hpp"
 #include "report/whole_file.hpp"
 
 namespace secular::app {

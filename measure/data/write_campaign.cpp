@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "input/whole_folder.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
 #include "measure/data/held_campaign.hpp"
 #include "measure/data/names.hpp"
-#include "measure/data/whole_folder.hpp"
 #include "measure/data/written_table.hpp"
 #include "measure/formats/channel_name.hpp"
 #include "measure/formats/number_table.hpp"

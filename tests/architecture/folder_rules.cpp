@@ -109,6 +109,7 @@ const FolderTable& folder_table() {
         "jobs/shared", "app/shared"}},
       {"app/verify", {"perturb", "thesis/verify", "jobs/shared", "app/shared"}},
       {"app", {"input", "app/shared"}},
+      {"app/mpi", {"input", "blind", "app"}},
   };
   return table;
 }

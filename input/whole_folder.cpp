@@ -1,4 +1,4 @@
-#include "measure/data/whole_folder.hpp"
+#include "input/whole_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -45,7 +45,8 @@ void remove_left_overs(const fs::path& target) {
 
 }  // namespace
 
-WholeFolder::WholeFolder(const fs::path& target) : target_(fs::absolute(target).lexically_normal()) {
+WholeFolder::WholeFolder(const fs::path& target, ParentLock parent_lock)
+    : target_(fs::absolute(target).lexically_normal()) {
   if (target_.filename().empty()) target_ = target_.parent_path();
   std::error_code error;
   if (fs::exists(target_, error)) target_ = fs::canonical(target_, error);  // what a link points to, not the link
@@ -57,7 +58,8 @@ WholeFolder::WholeFolder(const fs::path& target) : target_(fs::absolute(target).
   fs::create_directories(target_.parent_path(), error);
   if (!error) {
     // Only one command at a time looks and begins.
-    const FolderLock beginning(target_.parent_path(), longest_wait_s);
+    FolderLock beginning;
+    if (parent_lock == ParentLock::here) beginning = FolderLock(target_.parent_path(), longest_wait_s);
     remove_left_overs(target_);
     for (int attempt = 0; !error && path_.empty(); ++attempt) {
       const fs::path name =

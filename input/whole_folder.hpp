@@ -13,8 +13,11 @@ namespace secular {
 /// removed by the next one.
 class WholeFolder {
  public:
+  /// Who keeps other programs out of the target's parent while left-overs are looked for.
+  enum class ParentLock { here, with_caller };
+
   /// Throws InputError where the place cannot be written to, or another program is writing the same folder.
-  explicit WholeFolder(const std::filesystem::path& target);
+  explicit WholeFolder(const std::filesystem::path& target, ParentLock parent = ParentLock::here);
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;
   ~WholeFolder();

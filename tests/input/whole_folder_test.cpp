@@ -1,5 +1,5 @@
 // Folders that appear whole or not at all.
-#include "measure/data/whole_folder.hpp"
+#include "input/whole_folder.hpp"
 
 #include <gtest/gtest.h>
 
