@@ -20,6 +20,16 @@ def test_the_page_runs(tmp_path, monkeypatch, capsys):
     assert names["result"]["mu1"].value == pytest.approx(0.222, rel=0.02)
     assert Path("response.png").stat().st_size > 1000 and Path("measured/campaign.toml").is_file()
     assert "no_gap" in capsys.readouterr().out
+    assert Path("prediction.png").stat().st_size > 1000 and Path("plan.toml").is_file()
+
+
+def test_the_readme_runs(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib").use("agg")
+    monkeypatch.chdir(tmp_path)
+    (short,) = blocks("README.md")
+    assert len(short.splitlines()) <= 10
+    exec(compile(short, "README.md", "exec"), {})
+    assert "mu1" in capsys.readouterr().out and Path("response.png").stat().st_size > 1000
 
 
 def test_the_readme_shows_lines_of_the_page():

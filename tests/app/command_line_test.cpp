@@ -47,8 +47,9 @@ void expect_bad_input(const Outcome& outcome, const std::string& part) {
 }
 
 TEST_F(CommandLine, EveryCommandHelpsWithAnExample) {
-  for (const char* command : {"derive", "evaluate", "verify", "generate", "simulate", "identify", "predict",
-                              "import", "inspect", "modal", "diagnose", "spectrum", "procedure", "plan", "blind"}) {
+  for (const char* command :
+       {"derive", "evaluate", "verify", "generate", "simulate", "identify", "predict", "import", "inspect", "modal",
+        "diagnose", "spectrum", "procedure", "plan", "blind", "to-matlab"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.output.find("xample"), std::string::npos) << command;
