@@ -9,8 +9,12 @@ import secular
 
 SOURCE = Path(__file__).resolve().parents[2]
 SCRIPT = """
+from pathlib import Path
 import secular
-assert secular.__file__.startswith({place!r}), secular.__file__
+package = Path(secular.__file__).parent
+assert str(package).startswith({place!r}), package
+assert (package / "share/secular/models/two_mass_mode1.toml").is_file()
+assert (package / "include/secular/estimator/model/compiled_model.hpp").is_file()
 result = secular.identify(secular.simulate("experiments/principal_parametric"), "two_mass_mode1")
 print(result["mu1"].value)
 """

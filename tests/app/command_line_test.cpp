@@ -58,6 +58,16 @@ TEST_F(CommandLine, EveryCommandHelpsWithAnExample) {
   EXPECT_EQ(run("frobnicate").status, 2);
 }
 
+TEST_F(CommandLine, TheBlindCheckPrintsItsFileAsJson) {
+  const Outcome made = run("blind generate --campaigns 1 --records one_decay --json -o set");
+  ASSERT_EQ(made.status, 0) << made.errors;
+  EXPECT_EQ(nlohmann::json::parse(made.output)["campaigns"], 1);
+  const Outcome scored = run("blind score set -o page --json");
+  EXPECT_EQ(scored.status, 0) << scored.errors;
+  EXPECT_EQ(scored.output, testing_support::text_of(folder / "page/score.json"));
+  EXPECT_EQ(nlohmann::json::parse(scored.output)["failed"], 1);  // it was not diagnosed
+}
+
 TEST_F(CommandLine, DerivePrintsCertifiedEquations) {
   const Outcome outcome = run("derive two_mass_mode1 --case principal_parametric");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
