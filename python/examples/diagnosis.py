@@ -47,9 +47,9 @@ noise_sd = 0.05
 name     = "cubic_damping"
 strength = 36.87
 [[dwell]]
-frequencies_hz = [24.6, 24.65, 24.7, 24.75, 24.8, 24.85]
+frequencies_hz = [24.6, 24.7, 24.8]
 amplitudes = [18.0, 24.0]
-ensembles = 5
+ensembles = 4
 ensemble_s = 4.0
 settle_s = 90.0
 initial_displacement = [1e-3]

@@ -75,7 +75,7 @@ def _describe(info):
 
 def _pack(folder, info, file):
     record = []
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as wheel:
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as wheel:
         for path in sorted(path for path in folder.rglob("*") if path.is_file()):
             name = path.relative_to(folder).as_posix()
             digest = base64.urlsafe_b64encode(hashlib.sha256(path.read_bytes()).digest()).rstrip(b"=").decode()
