@@ -27,8 +27,8 @@ class Fault:
 class Levels:
     """A channel of a record, or a variable of a file, in its unit.
 
-    rms is about the mean; noise_rms: of the white noise that the upper half of the spectrum would allow; resolution: the
-    step between values; None where they cannot be told. missing: samples that are no numbers.
+    rms is about the mean; noise_rms: of the white noise that the upper half of the spectrum would allow; resolution:
+    the step between values; None where they cannot be told. missing: samples that are no numbers.
     """
 
     record: Optional[str]
@@ -72,8 +72,8 @@ class Inspection(Result):
     """What a campaign or a file holds.
 
     name: of the campaign or file. channels: list of Channel, records: list of InspectedRecord, tables: of lines, as the
-    program tells them (of a campaign); format, variables: list of Variable, time: the variable that holds it or None (of
-    a file). levels: list of Levels; faults: list of Fault; disturbances: what there is beside the motion.
+    program tells them (of a campaign); format, variables: list of Variable, time: the variable that holds it or None
+    (of a file). levels: list of Levels; faults: list of Fault; disturbances: what there is beside the motion.
     """
 
     def __init__(self, core):
@@ -151,9 +151,9 @@ def inspect(source: Union[Campaign, str, os.PathLike], *, records: Optional[str]
             from_s: Optional[float] = None, to_s: Optional[float] = None, whole: bool = False) -> Inspection:
     """What a campaign or a data file holds: channels, units, levels, noise, faults; what `secular inspect` does.
 
-    source: a Campaign, a campaign folder or a file. records: shell pattern of a campaign's files; from_s, to_s: the part
-    of every record, s. whole: everything of data larger than 64 MB, of which the first samples are judged else. Raises
-    InputError.
+    source: a Campaign, a campaign folder or a file. records: shell pattern of a campaign's files; from_s, to_s: the
+    part of every record, s. whole: everything of data larger than 64 MB, of which the first samples are judged else.
+    Raises InputError.
     """
     campaign = source._core if isinstance(source, Campaign) else None
     name = source.name if isinstance(source, Campaign) else _checks.path("source", source)
@@ -178,7 +178,8 @@ def _files(value) -> list[str]:
 class Import(Result):
     """A campaign made of files.
 
-    campaign: the Campaign. left_out: variables that no channel names. converted: list of {"name", "from", "to"} of units.
+    campaign: the Campaign. left_out: variables that no channel names. converted: list of {"name", "from", "to"} of
+    units.
     """
 
     def __init__(self, core, campaign: Campaign):
@@ -208,9 +209,9 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
     """CSV, MAT, HDF5, UFF 58, LVM or WAV files as a campaign, a record each; what `secular import` does.
 
     kind: of all records ("dwell", "sweep", "free_decay", "impact", "broadband"), or "lines": tables of lines. channels:
-    Channel, or "NAME[=VARIABLE]:ROLE[:QUANTITY:UNIT[:FACTOR]]". folder: where the campaign is written (replace: over one
-    that stands there); in memory alone without it. time: the variable that holds it; sample_rate_hz: where none does.
-    frequency_hz, amplitude: of dwells, nominal, one or one a file. columns, amplitudes, phases, phase_sign,
+    Channel, or "NAME[=VARIABLE]:ROLE[:QUANTITY:UNIT[:FACTOR]]". folder: where the campaign is written (replace: over
+    one that stands there); in memory alone without it. time: the variable that holds it; sample_rate_hz: where none
+    does. frequency_hz, amplitude: of dwells, nominal, one or one a file. columns, amplitudes, phases, phase_sign,
     phase_offset_deg, per_excitation, frequency_unit: of tables of lines, as `secular import --help` has them. Raises
     InputError, which says what a file cannot tell by the name of the argument.
     """

@@ -240,9 +240,10 @@ def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     """
     if by not in (None, "full-equations", "modulation-equations"):
         raise _checks.refused("by", f"is {by!r}", "give 'full-equations' or 'modulation-equations'")
-    options = dict(_checks.selection(records, band_hz, from_s, to_s, threads, interpret), cases=_checks.names("case", case),
-                   fix=_checks.numbers_by_symbol("fix", fix), by=by, refine=_checks.flag("refine", refine),
-                   bootstrap=_checks.whole("bootstrap", bootstrap, 0, 100000), seed=_checks.seed(seed))
+    options = dict(_checks.selection(records, band_hz, from_s, to_s, threads, interpret),
+                   cases=_checks.names("case", case), fix=_checks.numbers_by_symbol("fix", fix), by=by,
+                   refine=_checks.flag("refine", refine), bootstrap=_checks.whole("bootstrap", bootstrap, 0, 100000),
+                   seed=_checks.seed(seed))
     try:
         return Identification(_core.identify(as_campaign(campaign)._core, model_source(model), options))
     except NumericalFailure as failure:

@@ -123,15 +123,16 @@ class EvaluatedTerm:
 class Evaluation(Result):
     """Numbers of a derivation.
 
-    case, omega_policy; modulation: coordinate to the list of EvaluatedTerm of dA/dt (true time, eps = 1); harmonics: coordinate to
-    the list of EvaluatedTerm beyond A exp(i omega t). rate(): dA/dt at an amplitude.
+    case, omega_policy; modulation: coordinate to the list of EvaluatedTerm of dA/dt (true time, eps = 1); harmonics:
+    coordinate to the list of EvaluatedTerm beyond A exp(i omega t). rate(): dA/dt at an amplitude.
     """
 
     def __init__(self, core):
         super().__init__(core)
         self.case: str = self.data["case"]
         self.omega_policy: str = self.data["omega_policy"]
-        self.modulation = {mode: [EvaluatedTerm(complex(*term["value"]), term["powers"], term["slow_phase"]) for term in terms]
+        self.modulation = {mode: [EvaluatedTerm(complex(*term["value"]), term["powers"], term["slow_phase"])
+                                  for term in terms]
                            for mode, terms in self.data["modulation"].items()}
         self.harmonics = {mode: [EvaluatedTerm(complex(*term["value"]), term["powers"], term["phase"], term["order"])
                                  for term in terms] for mode, terms in self.data["harmonics"].items()}
@@ -165,8 +166,8 @@ def evaluate(model: Union[Model, str, os.PathLike], case: str,
              values: Union[Mapping[str, float], str, os.PathLike], *, omega_policy: str = "nominal") -> Evaluation:
     """Numbers of a derivation: modulation terms and harmonics; what `secular evaluate` does.
 
-    values: a number for every symbol, or a JSON file of them. omega_policy: "nominal", the excitation's frequency inside
-    coefficients has its resonant value, or "kept". Raises InputError.
+    values: a number for every symbol, or a JSON file of them. omega_policy: "nominal", the excitation's frequency
+    inside coefficients has its resonant value, or "kept". Raises InputError.
     """
     given = ("the values", _checks.numbers_by_symbol("values", values)) if isinstance(values, Mapping) else \
         (_checks.path("values", values), None)

@@ -137,9 +137,9 @@ def plan(model: Union[Model, str, os.PathLike],
          settle_limit_s: float = 600.0, frequencies: int = 40, levels: int = 8, limit_s: float = 600.0) -> Plan:
     """Dwells that determine chosen numbers best; what `secular plan` does.
 
-    parameters: rough values, as in `predict`. wanted: lumps or natural frequencies. frequency_hz, amplitude: (low, high)
-    of the excitation, Hz and peak. fix: lumps or natural frequencies that are known. criterion: "D" determinant, "A"
-    relative variances, "c" one parameter. budget_s: laboratory time, s; without it what `against` needs is reached
+    parameters: rough values, as in `predict`. wanted: lumps or natural frequencies. frequency_hz, amplitude: (low,
+    high) of the excitation, Hz and peak. fix: lumps or natural frequencies that are known. criterion: "D" determinant,
+    "A" relative variances, "c" one parameter. budget_s: laboratory time, s; without it what `against` needs is reached
     sooner. against: the programme in use: a campaign (the part of it that `records` names), or an experiment file.
     noise, excitation_noise: standard deviations of a sample of the modal acceleration and of the excitation.
     dwell_scatter: relative, of amplitudes from dwell to dwell. ensembles: how many a dwell may have; ensemble_s,

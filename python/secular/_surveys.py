@@ -122,11 +122,11 @@ def modal(campaign: Union[Campaign, str, os.PathLike], *, order: int = 40, modes
           from_s: Optional[float] = None, to_s: Optional[float] = None) -> ModalSurvey:
     """Natural frequencies, damping and mode shapes from impacts or free decays; what `secular modal` does.
 
-    order: largest of the stabilisation diagram. modes: keep so many, the strongest. window_s, overlap: of the windows of
-    a free decay. fit_below: regression against amplitude up to this one. force_window_s: the force counts for so long,
-    s; exponential_window: exp(-D t) on force and responses, D in 1/s; both chosen without them. driving_points: group to
-    the channel where it is struck, "-CHANNEL" against it. modal_masses: kg, by mode, where records do not tell them. The
-    rest as in `identify`. Raises InputError.
+    order: largest of the stabilisation diagram. modes: keep so many, the strongest. window_s, overlap: of the windows
+    of a free decay. fit_below: regression against amplitude up to this one. force_window_s: the force counts for so
+    long, s; exponential_window: exp(-D t) on force and responses, D in 1/s; both chosen without them. driving_points:
+    group to the channel where it is struck, "-CHANNEL" against it. modal_masses: kg, by mode, where records do not tell
+    them. The rest as in `identify`. Raises InputError.
     """
     if driving_points is not None and not isinstance(driving_points, Mapping):
         raise _checks.refused("driving_points", "are no dictionary", "give a dictionary of group to channel")
@@ -273,8 +273,8 @@ def spectrum(source: Union[Campaign, str, os.PathLike], *, channels: Union[str, 
     source: a Campaign, a campaign folder (the first record that `records` takes) or a data file. channels: every
     response without it. order: terms; without it as many as a test finds tones. ensemble_s, overlap: how the record is
     cut; one ensemble without it. delays: of the principal components. offset: a constant beside the terms. time,
-    sample_rate_hz: of a file, the variable that holds its time, or Hz where none does. The rest as in `identify`. Raises
-    InputError.
+    sample_rate_hz: of a file, the variable that holds its time, or Hz where none does. The rest as in `identify`.
+    Raises InputError.
     """
     campaign = source._core if isinstance(source, Campaign) else None
     options = dict(_checks.window(records, band_hz, from_s, to_s), channels=_checks.names("channels", channels),

@@ -48,7 +48,8 @@ def test_predict_is_the_program_s_bit_by_bit(program, folder, campaign, tmp_path
 
 def test_a_duffing_response_is_the_textbook_s():
     mu, alpha, omega0, force = 0.02, 3.0, 10.0, 0.5
-    found = secular.predict(DUFFING, {"omega0": omega0, "mu": mu, "alpha": alpha, "eta": 1}, case="primary", at={"F": force},
+    numbers = {"omega0": omega0, "mu": mu, "alpha": alpha, "eta": 1}
+    found = secular.predict(DUFFING, numbers, case="primary", at={"F": force},
                             vary=("Omega", 9.95, 10.1))
     checked = 0
     for branch in found.branches:
@@ -58,7 +59,7 @@ def test_a_duffing_response_is_the_textbook_s():
             assert math.isclose(left, force**2 / (4 * omega0**2), rel_tol=1e-6)
             checked += 1
     assert checked > 20
-    backbone, = secular.predict(DUFFING, {"omega0": omega0, "mu": mu, "alpha": alpha, "eta": 1}, case="free", largest=0.5).backbones
+    backbone, = secular.predict(DUFFING, numbers, case="free", largest=0.5).backbones
     assert np.allclose(backbone.frequency, omega0 + 3 * alpha * backbone.amplitude**2 / (8 * omega0), rtol=1e-12)
     assert np.allclose(backbone.growth, -mu, rtol=1e-12) and backbone.amplitude[-1] == pytest.approx(0.5)
 

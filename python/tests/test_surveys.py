@@ -141,8 +141,8 @@ def test_import_is_the_program_s(program, decay, tmp_path):
     kept = secular.import_files([tmp_path / "swing.csv"], kind="free_decay", folder=tmp_path / "kept",
                                 channels=[secular.Channel("left", "response", "acceleration", "m/s^2")])
     assert (tmp_path / "kept/campaign.toml").is_file() and kept.campaign.channels[0].name == "left"
-    assert np.array_equal(found.campaign.save(tmp_path / "again") and secular.Campaign.read(tmp_path / "again")[0].samples,
-                          made[0].samples)
+    again = secular.Campaign.read(found.campaign.save(tmp_path / "again"))
+    assert np.array_equal(again[0].samples, made[0].samples)
 
 
 def test_import_asks_for_what_a_file_cannot_say_by_the_argument(tmp_path):

@@ -26,7 +26,8 @@ def test_a_wheel_is_installed_and_works_by_itself(tmp_path, identification):
     tree = Path(secular.__file__).absolute().parents[2]
     if not (tree / "CMakeCache.txt").exists():
         pytest.skip("the package under test does not stand in a build tree")
-    subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", tmp_path / "venv"], check=True)
+    subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", tmp_path / "venv"],
+                   check=True)
     python = tmp_path / "venv/bin/python"
     bare = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "SECULAR"))}
     subprocess.run([python, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-build-isolation",
