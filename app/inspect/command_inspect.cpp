@@ -3,33 +3,19 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
-#include "app/inspect/table_summary.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/selection_options.hpp"
-#include "input/input_error.hpp"
-#include "jobs/shared/disturbance_output.hpp"
-#include "jobs/shared/json_numbers.hpp"
-#include "jobs/shared/record_selection.hpp"
-#include "measure/data/campaign.hpp"
-#include "measure/data/file_pattern.hpp"
-#include "measure/data/inspection.hpp"
-#include "measure/disturbances/catalogue.hpp"
-#include "measure/formats/data_file.hpp"
+#include "jobs/inspect/inspection_run.hpp"
+#include "jobs/inspect/table_summary.hpp"
 
 namespace secular::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Rows of cells, the first of them the heading; columns from `first_number` on are aligned to the right.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t first_number) {
@@ -60,10 +46,6 @@ std::string number(const std::optional<double>& value) {
 
 std::string count(std::size_t n, const char* noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-}
-
-double duration_s(const TimeAxis& axis, std::size_t samples) {
-  return static_cast<double>(samples) / axis.sample_rate_hz;
 }
 
 const std::vector<std::string> level_headings = {"mean", "rms", "peak", "noise", "resolution"};
@@ -121,11 +103,11 @@ void print_records(const Campaign& campaign, const std::vector<RecordInspection>
     const RecordEntry& entry = campaign.records[r];
     if (entry.row) continue;
     const std::optional<TimeAxis>& axis = records[r].axis;
-    if (axis) total += duration_s(*axis, records[r].samples);
+    if (axis) total += recorded_s(*axis, records[r].samples);
     const auto given = [](const std::optional<double>& value) { return value ? number(*value) : "-"; };
     rows.push_back({entry.file, to_string(entry.kind), entry.group.empty() ? "-" : entry.group,
                     (records[r].estimated ? "about " : "") + std::to_string(records[r].samples),
-                    axis ? number(axis->start_s) : "-", axis ? number(duration_s(*axis, records[r].samples)) : "-",
+                    axis ? number(axis->start_s) : "-", axis ? number(recorded_s(*axis, records[r].samples)) : "-",
                     given(entry.excitation_frequency_hz), given(entry.excitation_amplitude)});
   }
   if (rows.size() > 1)
@@ -143,39 +125,9 @@ void print_levels(const Campaign& campaign, const std::vector<RecordInspection>&
   if (rows.size() > 1) fmt::print("\nlevels\n{}{}", aligned(rows, 3), level_note);
 }
 
-// Adds what a record holds beside the motion.
-RecordLook disturbances_into(std::vector<Disturbance>& all, const Campaign& campaign) {
-  return [&](std::size_t index, const Record& record) {
-    const std::vector<Disturbance> found = find_disturbances(campaign, index, record);
-    all.insert(all.end(), found.begin(), found.end());
-  };
-}
-
-// A campaign with the records that are asked for, and what is in them.
-struct InspectedCampaign {
-  Campaign campaign;
-  std::vector<RecordInspection> records;
-  std::vector<Disturbance> disturbances;
-};
-
-InspectedCampaign inspected(const std::filesystem::path& folder, const Window& window,
-                            const InspectionLimit& limit) {
-  InspectedCampaign result{read_campaign(folder), {}, {}};
-  require_match(result.campaign, window);
-  std::erase_if(result.campaign.records,
-                [&](const RecordEntry& entry) { return !matches_record(window.records, entry.file); });
-  result.records = inspect_records(result.campaign, limit, disturbances_into(result.disturbances, result.campaign));
-  const bool none = std::none_of(result.records.begin(), result.records.end(),
-                                 [](const RecordInspection& record) { return record.judged > 0 || !record.axis; });
-  if (none && !limit.span.all())
-    throw InputError((folder / "campaign.toml").string(), "", "no record has a sample between --from and --to",
-                     "secular inspect without them says from when to when records go");
-  return result;
-}
-
-void print_campaign(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
-  const auto [campaign, records, disturbances] = inspected(folder, window, limit);
-  fmt::print("campaign '{}' in {}\n", visible(campaign.name), folder.string());
+void print_campaign(const std::string& folder, const InspectedCampaign& found) {
+  const auto& [campaign, records, disturbances] = found;
+  fmt::print("campaign '{}' in {}\n", visible(campaign.name), folder);
   if (campaign.sample_rate_hz > 0) fmt::print("sample rate {} Hz\n", campaign.sample_rate_hz);
   print_channels(campaign);
   print_tables(campaign);
@@ -206,25 +158,9 @@ std::string shown_unit(const VariableInspection& variable) {
   return fmt::format("{} (from {})", variable.unit, variable.stated_unit);
 }
 
-// A file, and what is in it beside a motion that nothing is said of.
-struct InspectedFile {
-  FileInspection file;
-  Campaign campaign;  // of this one record
-  std::vector<Disturbance> disturbances;
-};
-
-InspectedFile inspected_file(const std::filesystem::path& path, const InspectionLimit& limit) {
-  InspectedFile result;
-  result.file = inspect_file(path, limit, [&](const Campaign& campaign, const Record& record) {
-    result.campaign = campaign;
-    result.disturbances = find_disturbances(campaign, 0, record);
-  });
-  return result;
-}
-
-void print_file(const std::filesystem::path& path, const InspectionLimit& limit) {
-  const auto [file, campaign, disturbances] = inspected_file(path, limit);
-  fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
+void print_file(const std::string& path, const InspectedFile& found) {
+  const auto& [file, campaign, disturbances] = found;
+  fmt::print("{}: {} with {}\n", path, file.format, count(file.variables.size(), "numeric variable"));
   if (file.segments > 1)
     fmt::print("{} segments, each of which `secular import` makes a record: this is the first\n", file.segments);
   if (file.variables.empty()) {
@@ -262,143 +198,26 @@ void print_file(const std::filesystem::path& path, const InspectionLimit& limit)
   }
   const bool plain = file.time.find_first_of(" ()[]{}") == std::string::npos;
   const char* const rest = stated ? "" : file.format == "WAV" ? ":QUANTITY:UNIT:FACTOR" : ":QUANTITY:UNIT";
-  fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path.string(),
-             rest,
+  fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path, rest,
              file.time.empty() ? " --sample-rate HZ"
                                : (plain ? " --time " + file.time : fmt::format(" --time '{}'", file.time)));
-}
-
-Json faults_json(const std::vector<DataFault>& faults) {
-  Json list = Json::array();
-  for (const DataFault& fault : faults) list.push_back({{"kind", fault.kind}, {"text", fault.text}});
-  return list;
-}
-
-Json quality_json(const ChannelQuality& quality) {
-  return {{"samples", quality.samples},
-          {"missing", quality.missing},
-          {"mean", quality.mean},
-          {"rms", quality.rms},
-          {"peak", quality.peak},
-          {"minimum", quality.minimum},
-          {"maximum", quality.maximum},
-          {"noise_rms", optional_json(quality.noise)},
-          {"resolution", optional_json(quality.resolution)},
-          {"faults", faults_json(quality.faults)}};
-}
-
-void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t samples) {
-  object["start_s"] = axis ? Json(axis->start_s) : Json(nullptr);
-  object["sample_rate_hz"] = axis ? Json(axis->sample_rate_hz) : Json(nullptr);
-  object["jitter_s"] = axis ? Json(axis->jitter_s) : Json(nullptr);
-  object["duration_s"] = axis ? Json(duration_s(*axis, samples)) : Json(nullptr);
-}
-
-Json campaign_json(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
-  const auto [campaign, records, disturbances] = inspected(folder, window, limit);
-  Json root = {{"campaign", folder.string()}, {"name", campaign.name}};
-  if (campaign.sample_rate_hz > 0) root["sample_rate_hz"] = campaign.sample_rate_hz;
-  root["channels"] = Json::array();
-  for (const Channel& channel : campaign.channels)
-    root["channels"].push_back({{"name", channel.name},
-                                {"role", to_string(channel.role)},
-                                {"quantity", to_string(channel.quantity)},
-                                {"unit", channel.unit},
-                                {"frame", channel.frame == Frame::absolute ? "absolute" : "relative"}});
-  if (campaign.modal_basis)
-    root["modal_basis"] = {{"channels", campaign.modal_basis->channels},
-                           {"modes", campaign.modal_basis->modes},
-                           {"mass_normalised_shapes", campaign.modal_basis->mass_normalised_shapes}};
-  std::size_t faults = 0;
-  if (const std::vector<TableSummary> tables = tables_of(campaign); !tables.empty()) {
-    root["tables"] = Json::array();
-    for (const TableSummary& table : tables) {
-      root["tables"].push_back({{"file", table.file},
-                                {"rows", table.rows},
-                                {"lowest_hz", table.lowest_hz},
-                                {"highest_hz", table.highest_hz},
-                                {"lowest_level", table.lowest_level},
-                                {"highest_level", table.highest_level},
-                                {"lines", table.lines},
-                                {"without_sd", table.without_sd},
-                                {"repeated_rows", table.repeats},
-                                {"faults", table.faults}});
-      faults += table.faults.size();
-    }
-  }
-  root["records"] = Json::array();
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const RecordEntry& entry = campaign.records[r];
-    if (entry.row) continue;
-    Json record = {{"file", entry.file}, {"kind", to_string(entry.kind)}, {"samples", records[r].samples}};
-    if (records[r].judged < records[r].samples) record["judged_samples"] = records[r].judged;
-    if (records[r].estimated) record["samples_estimated"] = true;
-    put_axis(record, records[r].axis, records[r].samples);
-    if (entry.excitation_frequency_hz) record["excitation_frequency_hz"] = *entry.excitation_frequency_hz;
-    if (entry.excitation_amplitude) record["excitation_amplitude"] = *entry.excitation_amplitude;
-    if (!entry.group.empty()) record["group"] = entry.group;
-    record["faults"] = faults_json(records[r].faults);
-    faults += records[r].faults.size();
-    record["channels"] = Json::array();
-    for (std::size_t c = 0; c < records[r].channels.size(); ++c) {
-      Json levels = {{"name", campaign.channels[c].name}, {"unit", campaign.channels[c].unit}};
-      levels.update(quality_json(records[r].channels[c]));
-      faults += records[r].channels[c].faults.size();
-      record["channels"].push_back(std::move(levels));
-    }
-    root["records"].push_back(std::move(record));
-  }
-  root["faults_found"] = faults;
-  root["disturbances"] = disturbances_json(disturbances, campaign);
-  return root;
-}
-
-Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) {
-  const auto [file, campaign, disturbances] = inspected_file(path, limit);
-  Json root = {{"file", path.string()}, {"format", file.format}, {"segments", file.segments}};
-  if (file.partial) root["judged"] = "the first samples";
-  if (file.estimated) root["lengths_estimated"] = true;
-  std::size_t faults = file.faults.size();
-  if (!file.time.empty()) {
-    root["time"] = {{"variable", file.time}};
-    std::size_t samples = 1;
-    for (const VariableInspection& variable : file.variables)
-      if (variable.name == file.time)
-        for (const std::size_t length : variable.shape) samples *= length;
-    put_axis(root["time"], file.axis, samples);
-  }
-  root["faults"] = faults_json(file.faults);
-  root["variables"] = Json::array();
-  for (const VariableInspection& variable : file.variables) {
-    Json entry = {{"name", variable.name}, {"shape", variable.shape}, {"type", variable.type}};
-    if (!variable.unit.empty()) entry["unit"] = variable.unit;
-    if (!variable.stated_unit.empty()) entry["stated_unit"] = variable.stated_unit;
-    if (!variable.fault.empty()) entry["fault"] = variable.fault;
-    if (variable.quality) {
-      entry.update(quality_json(*variable.quality));
-      faults += variable.quality->faults.size();
-    }
-    root["variables"].push_back(std::move(entry));
-  }
-  root["faults_found"] = faults;
-  root["disturbances"] = disturbances_json(disturbances, campaign);
-  return root;
 }
 
 }  // namespace
 
 void add_inspect_command(CLI::App* command, Action& chosen) {
   struct Options {
-    std::string path;
+    InspectionRequest request;
     SelectionOptions selection;
-    bool json = false, whole = false;
+    bool json = false;
   };
   auto options = std::make_shared<Options>();
   command
-      ->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
+      ->add_option("CAMPAIGN_OR_FILE", options->request.path,
+                   "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
       ->required();
   options->selection.add_to(*command, {.band = false});
-  command->add_flag("--whole", options->whole, "read everything, also where data are larger than 64 MB");
+  command->add_flag("--whole", options->request.whole, "read everything, also where data are larger than 64 MB");
   command->add_flag("--json", options->json, "the same as JSON");
   command->footer(
       "Faults are for you to judge: offset, clipping, constant or coarse channels, missing samples, uneven time.\n"
@@ -407,25 +226,14 @@ void add_inspect_command(CLI::App* command, Action& chosen) {
       "Example: secular inspect out/test");
   command->callback([options, &chosen] {
     chosen = [options] {
-      const Window window = options->selection.window();
-      std::error_code ignored;
-      std::filesystem::path path = options->path;
-      if (path.filename() == "campaign.toml") path = path.has_parent_path() ? path.parent_path() : ".";
-      if (!std::filesystem::exists(path, ignored))
-        throw InputError(options->path, "", "does not exist",
-                         fmt::format("a campaign folder or a {} file was expected", data_formats));
-      const bool folder = std::filesystem::is_directory(path, ignored);
-      if (!folder) options->selection.require_any_record(options->path);
-      InspectionLimit limit;
-      limit.span = options->selection.span();
-      if (options->whole) limit.whole_bytes = std::numeric_limits<std::size_t>::max();
+      options->request.window = options->selection.window();
+      const Inspection found = inspect(options->request);
       if (options->json)
-        fmt::print("{}\n", (folder ? campaign_json(path, window, limit) : file_json(path, limit))
-                               .dump(2, ' ', false, Json::error_handler_t::replace));
-      else if (folder)
-        print_campaign(path, window, limit);
+        fmt::print("{}", inspection_json(found));
+      else if (found.campaign)
+        print_campaign(found.path, *found.campaign);
       else
-        print_file(path, limit);
+        print_file(found.path, *found.file);
       return 0;
     };
   });

@@ -167,7 +167,7 @@ TEST(Layout, TheScanSeesWhatItForbids) {
   EXPECT_EQ(violations("measure/data", "x.cpp", "#include \"motion/pole.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("app/derive", "x.cpp", "#include \"app/verify/a.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("app/derive", "x.cpp", "#include <ginac/ginac.h>").size(), 1u);
-  EXPECT_EQ(violations("app/evaluate", "x.cpp", "#include \"perturb/model.hpp\"\n#include <map>\n").size(), 0u);
+  EXPECT_EQ(violations("app/generate", "x.cpp", "#include \"perturb/model.hpp\"\n#include <map>\n").size(), 0u);
   EXPECT_EQ(violations("perturb", "x.cpp", "#include <ginac/ginac.h>\n#include \"perturb/a.hpp\"\n").size(), 0u);
 }
 
