@@ -12,7 +12,6 @@ struct DiagnoseThresholds {
   // Alarm levels.
   double gap_alarm = 0.003;
   double scatter_alarm = 0.01;
-  double setting_alarm = 0.05;
   double moved_by = 3;
   double told_apart = 0.05;
   double least_gain = 4;
@@ -26,7 +25,6 @@ struct DiagnoseThresholds {
   // Tuned.
   double most_overestimated = 2;
   double first_scatter = 0.003;
-  double fewest_freedom = 6;
   double same_size = 0.2;
   std::size_t foreign_searches = 3;
   double worth_a_test = 0.5;

@@ -16,9 +16,6 @@ inline constexpr std::array diagnose_threshold_list = {
         "frequencies of one structure, or how late records are, differ by chance", "per campaign",
         "verdict/blows_alone.cpp, verdict/frequency_scatter.cpp, verdict/late_records.cpp, "
         "verdict/model_alone.cpp"},
-    Threshold<DiagnoseThresholds>{"setting_alarm", &DiagnoseThresholds::setting_alarm, ThresholdKind::alarm,
-                                  "probability", "departures at random follow the settings",
-                                  "per campaign; docs/inference.md (26)", "verdict/setting_functions.cpp"},
     Threshold<DiagnoseThresholds>{"moved_by", &DiagnoseThresholds::moved_by, ThresholdKind::alarm,
                                   "standard deviations", "a given number counts as moved", "probability 0.003",
                                   "verdict/given_numbers.cpp"},
@@ -56,10 +53,6 @@ inline constexpr std::array diagnose_threshold_list = {
     Threshold<DiagnoseThresholds>{"first_scatter", &DiagnoseThresholds::first_scatter, ThresholdKind::tuned,
                                   "relative", "scatter of natural frequencies before it is known",
                                   "docs/inference.md (26): where the search begins", "verdict/model_alone.cpp"},
-    Threshold<DiagnoseThresholds>{"fewest_freedom", &DiagnoseThresholds::fewest_freedom, ThresholdKind::tuned,
-                                  "degrees of freedom", "that tell a law of frequencies from scatter",
-                                  "docs/inference.md (26): 0.8 of the variance with two functions",
-                                  "verdict/setting_functions.cpp"},
     Threshold<DiagnoseThresholds>{
         "same_size", &DiagnoseThresholds::same_size, ThresholdKind::tuned, "relative", "a scatter that stays",
         "a standard deviation of as few values as there are records", "verdict/frequency_scatter.cpp"},

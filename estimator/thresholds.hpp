@@ -19,8 +19,10 @@ struct EstimatorThresholds {
   double excluding_probability = 0.005;
   double outlier_false_alarm = 0.01;
   double interval_tail = 0.025;
+  double setting_alarm = 0.05;
   // Tuned.
   double fewest_freedom = 4;
+  double freedom_beside_settings = 6;
   double repeats_of_short_decays = 3;
   double near_dependency = 30;
   double shared_variance = 0.5;

@@ -8,9 +8,9 @@
 #include <map>
 #include <utility>
 
-#include "diagnose/evidence/campaign_clock.hpp"
 #include "diagnose/evidence/observe_rows.hpp"
 #include "diagnose/evidence/pooled_scatter.hpp"
+#include "measure/data/campaign_clock.hpp"
 #include "numerics/median.hpp"
 
 namespace secular {

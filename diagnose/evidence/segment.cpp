@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "diagnose/evidence/campaign_clock.hpp"
 #include "diagnose/evidence/record_part.hpp"
 #include "diagnose/evidence/unresolved_blows.hpp"
 #include "diagnose/thresholds.hpp"
 #include "input/input_error.hpp"
+#include "measure/data/campaign_clock.hpp"
 #include "measure/data/noise_floor.hpp"
 #include "measure/signal/free_decay.hpp"
 #include "numerics/hertz.hpp"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "diagnose/thresholds.hpp"
-#include "diagnose/verdict/setting_functions.hpp"
+#include "estimator/identification/setting_functions.hpp"
 
 namespace secular {
 namespace {

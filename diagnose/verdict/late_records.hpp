@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagnose/evidence/discrepancy.hpp"
-#include "diagnose/verdict/setting_functions.hpp"
+#include "estimator/identification/setting_functions.hpp"
 
 namespace secular {
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "estimator/identification/equation_data.hpp"
+#include "estimator/identification/instrument_rows.hpp"
 #include "estimator/identification/record_scatter.hpp"
 #include "estimator/identification/residual_information.hpp"
 #include "estimator/identification/row_noise.hpp"
@@ -96,6 +97,7 @@ class CaseRegression {
       if (result_.columns[c].kind == CaseColumn::Kind::natural_frequency)
         result_.reference(static_cast<Index>(c)) = reference_[result_.columns[c].index];
     values_ = VectorXd::Zero(result_.reference.size());
+    take_instruments();
     const RegressionState* start = reweighting.start;
     warm_ = start && start->weight.size() == set.observations.size() && start->at.lump.size() == at_.lump.size();
     if (warm_) take_up(*start);
@@ -108,7 +110,7 @@ class CaseRegression {
     if (!keep && !reweighting_.rough) {
       if (case_.excited) weigh_ensembles();
       iterate(converged_change);
-      for (int round = 0; round < (known_.errors_in_variables ? adjustment_rounds : 0); ++round) {
+      for (int round = 0; round < (adjusts() ? adjustment_rounds : 0); ++round) {
         adjust();
         iterate(converged_change);
       }
@@ -116,7 +118,7 @@ class CaseRegression {
     assemble(Pass::last);
     WhitenedSystem& system = result_.system;
     // Columns at adjusted values have lost their errors already.
-    if (known_.errors_in_variables) system.errors.with_response.resize(0);
+    if (adjusts()) system.errors.with_response.resize(0);
     if (system.design.rows() > 0) {
       result_.fit = linear_fit(system.design, system.response, system.condition, system.errors,
                                {.noisy_before = reweighting_.start ? reweighting_.start->noisy : std::nullopt,
@@ -202,6 +204,7 @@ class CaseRegression {
 
   // The degrees of freedom are those of the coefficient that records move most.
   void take_records_into_account() {
+    if (case_.excited && set_.frequency_scatter.empty()) return;
     LinearFit& fit = result_.fit;
     RecordScatter scatter = record_scatter(result_);
     result_.record_scatter = std::move(scatter.frequencies);
@@ -339,9 +342,63 @@ class CaseRegression {
     return result_.fit.basis * (result_.fit.orthonormal.transpose() * change);
   }
 
+  // Whether columns have instruments: they are not measured values that could be adjusted.
+  bool has_instruments() const {
+    return !set_.frequency_scatter.empty() && !set_.phase_unknown && !set_.observations.empty() &&
+           set_.observations.front().instrument;
+  }
+
+  bool adjusts() const { return known_.errors_in_variables && !has_instruments(); }
+
+  // docs/inference.md (54): columns and noise are taken at motions that do not know what a record's natural
+  // frequency is off.
+  void take_instruments() {
+    if (!has_instruments()) return;
+    at_instruments_ = set_;
+    for (Observation& o : at_instruments_.observations) {
+      if (!o.instrument->found) continue;
+      o.amplitude = o.instrument->amplitude;
+      o.rate = o.instrument->rate;
+    }
+    instruments_.emplace(at_instruments_, result_.blocks);
+  }
+
+  // (54): the equations at the measured motion, for the size of the other one; by row, the ratio of the sizes.
+  EquationData::Rows rows_as_measured(std::size_t observation, VectorXd& size) const {
+    EquationData::Rows rows = data_.rows(observation, result_.columns, at_, reference_);
+    size = VectorXd::Ones(rows.response.size());
+    for (Index r = 0; r < size.size(); ++r) {
+      const RegressorBlock& block = case_.blocks[rows.block[static_cast<std::size_t>(r)]];
+      const auto mode = static_cast<std::size_t>(block.mode);
+      if (block.kind == BlockKind::modulation)
+        size(r) = std::abs(at_instruments_.observations[observation].amplitude[mode]) /
+                  std::abs(set_.observations[observation].amplitude[mode]);
+    }
+    rows.response.array() *= size.array();
+    rows.design = size.asDiagonal() * rows.design;
+    return rows;
+  }
+
+  // Rows by instruments, (53), in place of those at the measured motions and of the instruments.
+  void project_on_instruments(Pass pass) {
+    WhitenedSystem& system = result_.system;
+    InstrumentRows rows = instrument_rows(system.design, measured_design_, system.response);
+    system.design = std::move(rows.design);
+    system.response = std::move(rows.response);
+    if (pass != Pass::last) return;
+    system.errors.with_response = rows.onto.transpose() * system.errors.with_response;
+    const MatrixXd gram = rows.onto.transpose() * system.errors.gram;
+    system.errors.gram = (gram + gram.transpose()) / 2;
+    std::vector<std::size_t> record;
+    for (const std::size_t i : system.observation) record.push_back(set_.observations[i].record);
+    result_.instrument_relevance = instrument_relevance(system.design, measured_design_, record);
+  }
+
   void assemble(Pass pass) {
-    EquationData& data = adjusted_data_ ? *adjusted_data_ : data_;
+    const bool by_instruments = pass != Pass::first && instruments_;
+    EquationData& data = by_instruments ? *instruments_ : adjusted_data_ ? *adjusted_data_ : data_;
     data.evaluate(at_.natural_frequency);
+    if (by_instruments) data_.evaluate(at_.natural_frequency);
     WhitenedSystem& system = result_.system;
     const auto columns = static_cast<Index>(result_.columns.size());
     const std::size_t count = set_.observations.size();
@@ -354,6 +411,7 @@ class CaseRegression {
     }
     const auto rows = static_cast<std::size_t>(first_row.back());
     system.design.resize(first_row.back(), columns);
+    measured_design_.resize(by_instruments ? first_row.back() : 0, columns);
     system.response.resize(first_row.back());
     system.condition.resize(rows);
     system.observation.resize(rows);
@@ -372,13 +430,15 @@ class CaseRegression {
                              pass == Pass::last ? &errors[c] : nullptr);
     });
     system.errors = {};
-    if (pass != Pass::last) return;
-    system.errors = {MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)};
-    for (const ColumnErrors& part : errors) {
-      system.errors.gram += part.gram;
-      system.errors.with_response += part.with_response;
+    if (pass == Pass::last) {
+      system.errors = {MatrixXd::Zero(columns, columns), VectorXd::Zero(columns)};
+      for (const ColumnErrors& part : errors) {
+        system.errors.gram += part.gram;
+        system.errors.with_response += part.with_response;
+      }
+      system.errors.gram = MatrixXd(system.errors.gram.selfadjointView<Eigen::Lower>());
     }
-    system.errors.gram = MatrixXd(system.errors.gram.selfadjointView<Eigen::Lower>());
+    if (by_instruments) project_on_instruments(pass);
   }
 
   /// An observation with rows.
@@ -395,7 +455,17 @@ class CaseRegression {
     const Index count = rows.response.size();
     // From the adjusted values back to the measured ones, along the tangent.
     if (adjusted_data_) rows.response += rows.variants * moved_[i];
-    const VectorXd noise_sd = row_noise_sd(rows);
+    VectorXd noise_sd = row_noise_sd(rows);
+    const bool by_instruments = instruments_ && &data == &*instruments_;
+    MatrixXd as_measured;
+    if (by_instruments) {
+      VectorXd size;
+      EquationData::Rows measured = rows_as_measured(i, size);
+      as_measured = std::move(measured.design);
+      rows.response = std::move(measured.response);
+      noise_sd = noise_sd.cwiseQuotient(size);  // of the equation at the measured motion
+      if (!set_.observations[i].instrument->found) rows.design.setZero();
+    }
     for (Index r = 0; r < count; ++r) {
       const auto at = static_cast<std::size_t>(begin + r), from = static_cast<std::size_t>(r);
       system.condition[at] = set_.observations[i].condition;
@@ -421,6 +491,7 @@ class CaseRegression {
     factor *= noise.sd.cwiseInverse().cwiseQuotient(scale).asDiagonal();
     system.colouring[number] = (scale / weight).asDiagonal() * MatrixXd(noise.correlation.matrixL());
     multiply_lower(factor, rows.design, system.design.middleRows(begin, count));
+    if (by_instruments) multiply_lower(factor, as_measured, measured_design_.middleRows(begin, count));
     system.response.segment(begin, count) = factor.triangularView<Eigen::Lower>() * rows.response;
     if (set_.phase_unknown) {
       VectorXd& direction = system.by_phase[number];
@@ -450,8 +521,9 @@ class CaseRegression {
       }
       at += count;
     }
-    errors->gram.selfadjointView<Eigen::Lower>().rankUpdate(whitened.transpose());
-    errors->with_response += whitened.transpose() * response;
+    const double noise_left = by_instruments ? set_.observations[i].instrument->noise_left : 1;
+    errors->gram.selfadjointView<Eigen::Lower>().rankUpdate(whitened.transpose(), noise_left);
+    errors->with_response += noise_left * (whitened.transpose() * response);
   }
 
   // Moves everything measured to where the equations hold, by the least that its noise allows.
@@ -537,6 +609,9 @@ class CaseRegression {
   std::vector<double> reference_, offset_;
   ObservationSet adjusted_;                    // measured values moved to where the equations hold
   std::optional<EquationData> adjusted_data_;  // of `adjusted_`; empty: not adjusted
+  ObservationSet at_instruments_;              // dwells with the motions of their instruments
+  std::optional<EquationData> instruments_;    // of `at_instruments_`; empty: columns are their own
+  MatrixXd measured_design_;                   // whitened columns at the measured motions
   std::vector<MatrixXd> rows_by_noise_;        // of window_overlap
   std::vector<VectorXd> moved_;                // by observation: how far, in standard deviations
   std::map<std::size_t, double> scale_;

@@ -102,8 +102,10 @@ struct CaseFit {
   std::vector<ScatterBetweenRecords> record_scatter;  ///< of natural frequencies that several records tell
   Eigen::MatrixXd record_moves;                       ///< RecordScatter::moves; part of the fit's covariance
   double record_freedom = INFINITY;                   ///< of that part
-  std::map<std::size_t, double> block_residual;       ///< by block: residual over what noise explains, unscaled
-  std::vector<double> weight;                         ///< by observation: 1, less where it is an outlier
+  /// docs/inference.md (55): instrument_relevance() of dwells whose columns have instruments; else infinite.
+  double instrument_relevance = INFINITY;
+  std::map<std::size_t, double> block_residual;  ///< by block: residual over what noise explains, unscaled
+  std::vector<double> weight;                    ///< by observation: 1, less where it is an outlier
   std::vector<double> distance;  ///< by observation: deviation from its condition over what is usual; 0 if unknown
   RegressionState state;
 };

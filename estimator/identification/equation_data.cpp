@@ -27,6 +27,12 @@ Complex step_from(Complex value, double step, bool across) {
   return (across ? Complex(0, step) : Complex(step, 0)) * std::polar(1.0, std::arg(value));
 }
 
+// docs/inference.md (52): a record's natural frequency is off alike in all of its repeats, so that their mean, of
+// which noise is smaller by the root of their number, is off by all of it.
+double own_frequency_sd(const ObservationSet& set, std::size_t mode, double repeats) {
+  return set.frequency_scatter[mode] * std::sqrt(repeats);
+}
+
 // Columns by what they are the coefficients of; -1: known.
 struct ColumnPlaces {
   std::vector<Index> lump, natural_frequency, sensor_offset;
@@ -73,6 +79,7 @@ EquationData::EquationData(const ObservationSet& set, const std::vector<std::siz
       add(Kind::growth, k, false, false);
       // Without excitation every mode's frequency is observed by itself, a resonance between them or not.
       if (!case_.excited) add(Kind::frequency, k, false, false);
+      if (case_.excited && !set.frequency_scatter.empty()) add(Kind::own_frequency, k, false, false);
     }
     for (std::size_t f = 0; f < modes_.free.size() && case_.excited; ++f)
       add(Kind::free_frequency, f, false, false);
@@ -82,6 +89,7 @@ EquationData::EquationData(const ObservationSet& set, const std::vector<std::siz
       add(Kind::excitation_frequency, j, false, true);
     }
   }
+  for (const Observation& o : set.observations) repeats_[o.record] += 1;
   if (set.phase_unknown) phase_variant_ = static_cast<int>(copies_++);
   frame_.reserve(set.observations.size() * blocks.size());
   for (const Observation& o : set.observations) {
@@ -103,6 +111,7 @@ Complex EquationData::step(const Quantity& q, const Observation& o, double size)
     case Kind::growth:
       return size;
     case Kind::frequency:
+    case Kind::own_frequency:
     case Kind::free_frequency:
     case Kind::excitation_frequency:
       return {0, size};
@@ -118,6 +127,8 @@ double EquationData::sd(const Quantity& q, const Observation& o) const {
       return std::max(0.0, o.growth_sd.at(q.index));
     case Kind::frequency:
       return o.frequency_sd.at(q.index);
+    case Kind::own_frequency:
+      return own_frequency_sd(set_, q.index, repeats_.at(o.record));
     case Kind::free_frequency:
       return o.free_frequency_sd.at(q.index);
     case Kind::forcing:
@@ -285,6 +296,7 @@ Complex EquationData::modulation_change(const Quantity& quantity, Complex step, 
       return quantity.index == mode ? (o.rate[mode] - Complex(0, natural_frequency)) * step : 0;
     case Kind::growth:
     case Kind::frequency:
+    case Kind::own_frequency:
       return quantity.index == mode ? step * o.amplitude[mode] : 0;
     case Kind::free_frequency:
       return step * modes_.coupling(row, share) * o.amplitude[mode];
@@ -294,6 +306,14 @@ Complex EquationData::modulation_change(const Quantity& quantity, Complex step, 
       break;
   }
   return 0;
+}
+
+std::vector<Index> EquationData::motion_quantities() const {
+  std::vector<Index> result;
+  for (std::size_t q = 0; q < quantities_.size(); ++q)
+    if (quantities_[q].kind == Kind::amplitude || quantities_[q].kind == Kind::free_frequency)
+      result.push_back(static_cast<Index>(q));
+  return result;
 }
 
 MatrixXd EquationData::correlation(const WindowPair& pair) const {
@@ -334,6 +354,7 @@ void EquationData::move(Observation& o, const VectorXd& deviations) const {
         break;
       case Kind::growth:
       case Kind::frequency:
+      case Kind::own_frequency:
         o.rate[quantity.index] += change;
         break;
       case Kind::free_frequency:

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <map>
 #include <vector>
 
 #include "estimator/identification/case_regression.hpp"
@@ -57,6 +58,9 @@ class EquationData {
   /// Number of varied quantities.
   Eigen::Index quantities() const { return static_cast<Eigen::Index>(quantities_.size()); }
 
+  /// Those of them that follow from the motion: amplitudes, and frequencies that the resonance leaves free.
+  std::vector<Eigen::Index> motion_quantities() const;
+
   /// Quantities x quantities: their correlations in a window of a decay and, by column, in the later one of `pair`.
   Eigen::MatrixXd correlation(const WindowPair& pair) const;
 
@@ -75,7 +79,7 @@ class EquationData {
   double first_scale(std::size_t observation, std::size_t block) const;
 
  private:
-  enum class Kind { amplitude, growth, frequency, free_frequency, forcing, excitation_frequency };
+  enum class Kind { amplitude, growth, frequency, own_frequency, free_frequency, forcing, excitation_frequency };
   struct Quantity {
     Kind kind;
     std::size_t index;
@@ -91,6 +95,7 @@ class EquationData {
   const ObservationSet& set_;
   const CompiledCase& case_;
   ModeFrequencies modes_;
+  std::map<std::size_t, double> repeats_;  ///< by record
   std::vector<std::size_t> blocks_;
   std::vector<Quantity> quantities_;
   std::vector<int> column_variant_;  ///< by quantity: which copy of the columns, 0 where they do not depend on it

@@ -85,6 +85,19 @@ VectorXd unknown_truncation(const CaseFit& fit, const MatrixXd& unknown, Index r
   return unknown.rows() == change.size() ? VectorXd(unknown.transpose() * change) : change;
 }
 
+// What a natural frequency one standard deviation off does to a balance of frequency, over the equation's noise.
+double by_own_frequency(const CaseFit& fit, Index row) {
+  const ObservationSet& set = *fit.set;
+  const auto at = static_cast<std::size_t>(row);
+  const RegressorBlock& block = set.resonance->blocks[fit.system.block[at]];
+  if (set.frequency_scatter.empty() || block.kind != BlockKind::modulation ||
+      fit.system.part[at] != EquationPart::in_quadrature)
+    return 0;
+  const auto mode = static_cast<std::size_t>(block.mode);
+  return set.frequency_scatter[mode] * std::abs(set.observations[fit.system.observation[at]].amplitude[mode]) /
+         fit.system.noise_sd[at];
+}
+
 // Whitened rows back to equations in units of their own noise.
 MatrixXd over_own_noise(const CaseFit& fit, const MatrixXd& whitened) {
   MatrixXd rows(whitened.rows(), whitened.cols());
@@ -138,6 +151,7 @@ struct Group {
   double all_weights = 0, all_count = 0;                // with windows that overlap them
   double by_phase = 0;                                  // variances that unknown phases take up
   VectorXd truncation;                                  // what is not known of it, weighted
+  double own_frequency = 0;                             // what a record's natural frequency may be off, weighted
 
   double between() const { return sum * sum / weights; }
   double phase_share() const { return by_phase / all_count; }
@@ -165,6 +179,7 @@ std::map<Equation, Conditions> gathered(const CaseFit& fit, const VectorXd& resi
     group.sum += weight * z;
     group.squares += weight * z * z;
     group.count += 1;
+    group.own_frequency += weight * by_own_frequency(fit, r);
     const VectorXd left = weight * unknown_truncation(fit, unknown, r);
     group.truncation = group.truncation.size() == 0 ? left : VectorXd(group.truncation + left);
   }
@@ -252,16 +267,18 @@ std::vector<LackOfFit> lack_of_fit(const CaseFit& fit, const MatrixXd& unknown) 
     test.name = name_of(fit, equation);
     test.conditions = conditions.groups.size();
     const Scatter scatter = scatter_of(conditions, fit.set->resonance->excited);
-    double means = 0, truncation = 0;
+    double means = 0, truncation = 0, own_frequency = 0;
     for (const auto& [label, group] : conditions.groups) {
       means += group.between();
       truncation += group.truncation.squaredNorm() / group.weights;
+      own_frequency += group.own_frequency * group.own_frequency / group.weights;
     }
     test.numerator_df = static_cast<double>(test.conditions) - unknowns.at(equation);
     if (test.numerator_df < 1) continue;
     test.denominator_df = scatter.freedom;
     test.scatter_ratio = std::sqrt(scatter.variance);
-    const double usual = test.numerator_df * scatter.variance + truncation;
+    const double usual =
+        test.numerator_df * (scatter.variance + own_frequency / static_cast<double>(test.conditions)) + truncation;
     test.f = means / usual;
     test.beyond = std::max(0.0, means - usual);
     test.misfit_ratio = std::sqrt(test.f);

@@ -24,6 +24,9 @@ constexpr double one_stretch = 1e-6;
 /// On either side of a 95 % interval.
 constexpr auto& tail_share = estimator_thresholds().interval_tail;
 
+/// Probability that records of a case which do not differ show that they do.
+constexpr auto& false_alarm = estimator_thresholds().false_lack_of_fit;
+
 // A record's rows, of the column x of one natural frequency.
 struct RecordPart {
   double squares = 0;                                  // |x_r|^2
@@ -33,8 +36,10 @@ struct RecordPart {
   std::map<int, std::pair<double, double>> stretches;  // |x_g|^2, x_g'e
 };
 
+// Stretches of a dwell are its ensembles.
 std::map<std::size_t, RecordPart> parts_of(const CaseFit& fit, Index column) {
   std::map<std::size_t, RecordPart> records;
+  const bool dwells = fit.set->resonance->excited;
   const Index rank = fit.fit.rank;
   for (Index row = 0; row < fit.system.design.rows(); ++row) {
     const auto at = static_cast<std::size_t>(row);
@@ -47,7 +52,8 @@ std::map<std::size_t, RecordPart> parts_of(const CaseFit& fit, Index column) {
     const VectorXd u = fit.fit.orthonormal.row(row).transpose();
     part.gram.selfadjointView<Eigen::Lower>().rankUpdate(u);
     if (x == 0) continue;
-    auto& [squares, product] = part.stretches[fit.system.condition[at]];
+    auto& [squares, product] =
+        part.stretches[dwells ? static_cast<int>(fit.system.observation[at]) : fit.system.condition[at]];
     squares += x * x;
     product += x * e;
     part.squares += x * x;
@@ -146,6 +152,11 @@ class Moments {
     const auto [divisor, denominator] = law(variance);
     return freedom() * divisor * (denominator > 2 ? denominator / (denominator - 2) : 1);
   }
+  // By how much a Q(0) that records which do not differ exceed with probability `tail` is larger than the one seen.
+  double alarm(double tail) const {
+    const auto [divisor, denominator] = law(0);
+    return divisor * freedom() * f_upper_quantile(tail, freedom(), denominator) / statistic(0);
+  }
   // That records which scatter by `variance` give a Q as large as `factor` times the one seen.
   double tail(double variance, double factor = 1) const {
     const auto [divisor, denominator] = law(variance);
@@ -201,10 +212,24 @@ std::optional<ScatterBetweenRecords> scatter_of(const RecordSums& sums) {
   return scatter;
 }
 
+double told_scatter(const RecordSums& sums, double probability) {
+  const Moments moments(sums);
+  if (!(moments.statistic(0) > 0) || !std::isfinite(moments.statistic(0))) return 0;
+  const double alarm = moments.alarm(probability);
+  const auto variance = [&](double factor) {
+    return root_of([&](double t) { return moments.expected(t) - factor * moments.statistic(t); });
+  };
+  return std::sqrt(std::max(0.0, variance(1) - variance(alarm)) / sums.unit);
+}
+
 RecordScatter record_scatter(const CaseFit& fit) {
   RecordScatter result;
   result.moves.resize(fit.fit.coefficients.size(), 0);
-  if (fit.set->resonance->excited || fit.fit.rank == 0) return result;
+  if (fit.fit.rank == 0) return result;
+  const bool dwells = fit.set->resonance->excited;
+  const auto tests = std::count_if(fit.columns.begin(), fit.columns.end(), [](const CaseColumn& c) {
+    return c.kind == CaseColumn::Kind::natural_frequency;
+  });
   const Eigen::LDLT<MatrixXd> kept(fit.fit.kept);
   for (std::size_t c = 0; c < fit.columns.size(); ++c) {
     if (fit.columns[c].kind != CaseColumn::Kind::natural_frequency) continue;
@@ -212,7 +237,8 @@ RecordScatter record_scatter(const CaseFit& fit) {
     std::optional<ScatterBetweenRecords> scatter = sums ? scatter_of(*sums) : std::nullopt;
     if (!scatter) continue;
     scatter->mode = fit.columns[c].index;
-    if (scatter->sd > 0) {
+    result.told.push_back(told_scatter(*sums, false_alarm / static_cast<double>(tests)));
+    if (scatter->sd > 0 && !dwells) {
       const MatrixXd moved = scatter->sd * std::sqrt(sums->unit) * (fit.fit.basis * kept.solve(sums->seen));
       const Index before = result.moves.cols();
       result.moves.conservativeResize(Eigen::NoChange, before + moved.cols());

@@ -28,16 +28,22 @@ struct RecordSums {
 /// By their moments (docs/inference.md (23)). Nothing where nothing scatters at all.
 std::optional<ScatterBetweenRecords> scatter_of(const RecordSums& sums);
 
+/// docs/inference.md (52): of what scatter_of() gives, what records that do not differ show no more than once in
+/// 1/`probability`; 0 where they do as much.
+double told_scatter(const RecordSums& sums, double probability);
+
 /// Stretches of one decay share the structure as it was that day: what scatters from record to record, as natural
 /// frequencies do with temperature and clamping, is no scatter of conditions (docs/inference.md (23)).
 struct RecordScatter {
   std::vector<ScatterBetweenRecords> frequencies;  ///< of modes that several records tell
+  std::vector<double> told;                        ///< of each, told_scatter() at the level of a lack of fit
   /// Coefficients x (records and modes): what one standard deviation of a record's natural frequency does to them.
-  /// No columns where records do not differ by more than their stretches explain.
+  /// No columns where records do not differ by more than their stretches explain, and none of dwells, each of which
+  /// is a condition.
   Eigen::MatrixXd moves;
 };
 
-/// Of a case of free motions that several records tell; nothing of one with excitation.
+/// Of a case that several records tell. What dwells show may be what the model lacks.
 RecordScatter record_scatter(const CaseFit& fit);
 
 }  // namespace secular

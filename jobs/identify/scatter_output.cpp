@@ -22,12 +22,12 @@ bool is_significant(const EstimatedValue& value, const Estimate& estimate) {
          value.between_records->p_value < measure_thresholds().disturbance_false_alarm / static_cast<double>(tests);
 }
 
-// Where a record was observed in free vibration.
+// Where a record was observed.
 std::pair<double, double> span_of(const Identification& id, std::size_t record) {
   double from = INFINITY, to = -INFINITY;
   for (const ObservationSet& set : id.measured)
     for (const Observation& o : set.observations)
-      if (!set.resonance->excited && o.record == record) {
+      if (o.record == record) {
         from = std::min(from, o.centre_s - 0.5 * o.length_s);
         to = std::max(to, o.centre_s + 0.5 * o.length_s);
       }

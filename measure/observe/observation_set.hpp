@@ -27,6 +27,15 @@ struct WindowPair {
   std::vector<double> harmonic;   ///< [block] of amplitudes; zero where not measured
 };
 
+/// docs/inference.md (54): the motion of a dwell at which its columns are instruments, where natural frequencies
+/// differ from record to record.
+struct InstrumentMotion {
+  std::vector<std::complex<double>> amplitude, rate;  ///< [mode]
+  double noise_left = 1;                              ///< of what noise does to the measured motion
+  /// Whether the equations have it; else the observation tells no coefficient.
+  bool found = false;
+};
+
 /// One ensemble of a dwell or one window of a decay, ready for the generated rows. Amplitudes are of modal
 /// displacements, half of the peak, with phases at the window's centre.
 struct Observation {
@@ -54,6 +63,8 @@ struct Observation {
   /// False: of a table that does not say its standard deviations. They are 0 then until repeats or what a model
   /// leaves have told them; of what drives it none are known.
   bool noise_known = true;
+  /// Of a dwell. Null: columns at the measured motion.
+  std::shared_ptr<const InstrumentMotion> instrument;
   std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
   std::vector<double> harmonic_sd;             ///< [block], negative where not measured
 };
@@ -65,6 +76,9 @@ struct ObservationSet {
   std::vector<Observation> at_rest;  ///< ensembles of dwells left out because nothing moves
   /// The excitations' phases against the responses are unknown, in every ensemble: no equation may rest on them.
   bool phase_unknown = false;
+  /// Of dwells, by mode, rad/s: standard deviation with which the natural frequency differs from record to record.
+  /// Empty: records do not differ.
+  std::vector<double> frequency_scatter;
   /// observations x blocks: what the truncated equations leave (left minus right side) where they should leave
   /// nothing, by motion_frame; taken out of them before they are fitted. Empty: not known.
   Eigen::MatrixXcd truncation;

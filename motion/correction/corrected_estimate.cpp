@@ -8,6 +8,7 @@
 
 #include "input/numerical_failure.hpp"
 #include "measure/observe/steady_amplitude.hpp"
+#include "motion/correction/balanced_set.hpp"
 #include "motion/correction/replay.hpp"
 
 namespace secular {
@@ -42,10 +43,15 @@ Estimate first_estimate(const std::vector<ObservationSet>& measured, const Estim
 
 }  // namespace
 
-CorrectedEstimate estimate_corrected(std::vector<ObservationSet> measured, const EstimateTask& task) {
-  const Estimate raw = first_estimate(measured, task);
+CorrectedEstimate estimate_corrected(std::vector<ObservationSet> measured, const EstimateTask& task,
+                                     const Estimate* start) {
+  const Estimate raw = start ? *start : first_estimate(measured, task);
   task.done("regression");
   const auto replay = [&](const ObservationSet& set, const Eigen::VectorXd& parameters) {
+    // With the natural frequency that all records share a dwell does not stay with the motion that was measured:
+    // while it goes away, its rates are not those at the amplitude where it began.
+    if (!set.frequency_scatter.empty())
+      if (auto balanced = BalancedSet(set, task.options.threads).at(parameters)) return std::move(*balanced);
     return observe_replay(task.campaign, set, parameters, task.options.threads);
   };
   CorrectedEstimate result;

@@ -25,7 +25,9 @@ struct CorrectedEstimate {
   std::vector<ObservationSet> corrected;
 };
 
-/// Of sets as they were observed. Throws NumericalFailure where they determine no parameters at all.
-CorrectedEstimate estimate_corrected(std::vector<ObservationSet> measured, const EstimateTask& task);
+/// Of sets as they were observed, from `start` on, an estimate of the same observations, where there is one. Throws
+/// NumericalFailure where they determine no parameters at all.
+CorrectedEstimate estimate_corrected(std::vector<ObservationSet> measured, const EstimateTask& task,
+                                     const Estimate* start = nullptr);
 
 }  // namespace secular

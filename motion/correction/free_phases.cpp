@@ -11,6 +11,7 @@
 #include "estimator/identification/unsupported_values.hpp"
 #include "input/numerical_failure.hpp"
 #include "motion/correction/noise_left.hpp"
+#include "motion/correction/own_frequencies.hpp"
 
 namespace secular {
 namespace {
@@ -99,7 +100,10 @@ PhasedEstimate estimate_with_phases(const std::vector<ObservationSet>& observed,
   std::vector<ObservationSet> sets = observed;
   PhasedEstimate result{estimate_with_noise_left(sets, task), {}, {}};
   if (!result.of.estimate.unstated_noise.empty()) return result;  // nothing says whether the phases hold
-  const std::string failure = failure_of([&] { free_phases(sets, task, result); });
+  const std::string failure = failure_of([&] {
+    let_frequencies_differ(sets, task, result.of);
+    free_phases(sets, task, result);
+  });
   if (!failure.empty())  // the numbers with phases as measured stay
     result.of.estimate.warnings.push_back(fmt::format("whether records are late was not found out: {}", failure));
   return result;

@@ -1,5 +1,5 @@
 // One clock for all records of a campaign: what changes slowly is seen by dwells and by free decays.
-#include "diagnose/evidence/campaign_clock.hpp"
+#include "measure/data/campaign_clock.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/verdict/setting_functions.hpp"
+#include "estimator/identification/setting_functions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/evidence/campaign_clock.hpp"
+#include "measure/data/campaign_clock.hpp"
 
 #include <numeric>
 

@@ -13,7 +13,8 @@ Eigen::MatrixXd independent_functions(const std::vector<Eigen::VectorXd>& of_rec
 enum class Following { at_random, settings, too_few };
 
 /// Whether what records have of their own, of equal variance beside `functions`, follows these beyond chance (F
-/// law, 5 %), as what a missing law makes of it does; or too few degrees of freedom are left to tell.
-Following follows_settings(const Eigen::VectorXd& own, const Eigen::MatrixXd& functions);
+/// law, 5 % over `tests` such questions), as what a missing law makes of it does; or too few degrees of freedom are
+/// left to tell.
+Following follows_settings(const Eigen::VectorXd& own, const Eigen::MatrixXd& functions, double tests = 1);
 
 }  // namespace secular
