@@ -54,7 +54,18 @@ class Field {
 /// A field by powers of eps.
 using FieldSeries = std::vector<Field>;
 
+/// Products of terms that a derivation makes. A guard, of some minutes of work.
+class ProductCount {
+ public:
+  static constexpr std::size_t most = 20'000'000;
+  /// Throws std::length_error beyond it.
+  void add(std::size_t products);
+
+ private:
+  std::size_t count_ = 0;
+};
+
 /// The coefficient of eps^order in a product of series; entries beyond a series' end are zero.
-Field product_at_order(const std::vector<const FieldSeries*>& factors, int order);
+Field product_at_order(const std::vector<const FieldSeries*>& factors, int order, ProductCount& count);
 
 }  // namespace secular

@@ -94,7 +94,7 @@ Field MotionSeries::product(const FactorProduct& factors, int order) const {
     series.insert(series.end(), static_cast<std::size_t>(power), one);
   }
   if (nonsmooth) return nonsmooth_product(*nonsmooth, std::move(series), order);
-  if (!series.empty()) return product_at_order(series, order);
+  if (!series.empty()) return product_at_order(series, order, products_);
   Field unit;
   if (order == 0) unit.add(FieldKey(rates_.layout.size(), 0), 1);
   return unit;
@@ -120,7 +120,7 @@ Field MotionSeries::nonsmooth_product(const Factor& factor, std::vector<const Fi
     nonsmooth.push_back(nonsmooth_harmonics(slope, layout, rates_.fast[mode], highest) * argument[1]);
   }
   series.push_back(&nonsmooth);
-  const Field product = product_at_order(series, order);
+  const Field product = product_at_order(series, order, products_);
   Field exact;
   for (const auto& [key, coefficient] : product.terms())
     if (std::abs(key[mode]) <= highest_nonsmooth_harmonic) exact.add(key, coefficient);

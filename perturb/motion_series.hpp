@@ -23,7 +23,8 @@ class MotionSeries {
     return coordinate_[mode][derivative];
   }
 
-  /// The part of a product at eps^order: the convolution of its factors' series.
+  /// The part of a product at eps^order: the convolution of its factors' series. Throws std::length_error where all
+  /// of them come to more than ProductCount::most.
   Field product(const FactorProduct& factors, int order) const;
 
  private:
@@ -33,6 +34,7 @@ class MotionSeries {
   PhaseRates rates_;
   int highest_order_;
   std::vector<bool> at_rest_;
+  mutable ProductCount products_;
   std::vector<std::vector<FieldSeries>> coordinate_, excitation_;  // [index][derivative]
 };
 

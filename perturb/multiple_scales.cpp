@@ -1,4 +1,6 @@
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -88,7 +90,15 @@ class MultipleScales {
     for (const OrderedTerm& term : equations_[k].right_hand_side) {
       if (term.order > order) continue;
       end_if_stopped();
-      sum += motion_.product(term.factors, order - term.order).scaled(term.coefficient);
+      try {
+        sum += motion_.product(term.factors, order - term.order).scaled(term.coefficient);
+      } catch (const std::length_error& error) {
+        throw InputError(model_.file, resonance_.place(),
+                         "equation of '" + model_.modes[k].coordinate + "', term " +
+                             to_string(term.factors, model_) + " at eps^" + std::to_string(order) + ": it " +
+                             error.what(),
+                         "lower expand_to or the degree of the equation, or give high powers a higher order");
+      }
     }
     return sum;
   }
