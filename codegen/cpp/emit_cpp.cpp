@@ -174,7 +174,9 @@ GeneratedFile lumps_unit(const CanonicalModel& model) {
   CodeText& code = emitter.code;
   code.comment(fmt::format("Lumps of model {} and their derivatives.", model.name), "//");
   for (const char* const name : {"<cstddef>", "<numbers>"}) code.line(fmt::format("#include {}", name));
-  code.line().line("#include \"estimator/model/integer_power.hpp\"").line();
+  code.line().line("#include \"estimator/model/integer_power.hpp\"");
+  if (!model.rest_values.empty()) code.line("#include \"estimator/model/smooth_functions.hpp\"");
+  code.line();
   code.line(fmt::format("namespace secular::generated::{} {{", safe_namespace(model.name))).line();
   emit_shared_lumps(emitter);
   for (const CanonicalCase& c : model.cases) {

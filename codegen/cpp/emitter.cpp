@@ -39,7 +39,15 @@ BlockPlace block_place(const CanonicalModel& model, const CanonicalCase& resonan
 }
 
 void Emitter::unpack(const std::vector<std::string>& names, const std::string& attribute) {
-  for (const std::string& name : names) {
+  std::vector<std::string> wanted = names;
+  const auto want = [&](const std::string& name) {
+    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
+  };
+  for (auto value = model.rest_values.rbegin(); value != model.rest_values.rend(); ++value)
+    if (std::find(wanted.begin(), wanted.end(), value->name) != wanted.end())
+      for (std::size_t s = 0; s < model.order.size(); ++s)
+        if (depends_on(value->argument, s)) want(model.order[s]);
+  for (const std::string& name : wanted) {
     if (name == "pi") {
       code.line("const Scalar pi = Scalar(std::numbers::pi);");
       continue;
@@ -49,6 +57,22 @@ void Emitter::unpack(const std::vector<std::string>& names, const std::string& a
     code.line(fmt::format("{}const Scalar {} = parameters[{}];", attribute, safe_identifier(name),
                           parameter - model.parameters.begin()));
   }
+  for (const CanonicalRestValue& value : model.rest_values)
+    if (std::find(wanted.begin(), wanted.end(), value.name) != wanted.end()) rest_value(value, attribute);
+}
+
+// Powers in its argument are its own: those of the function around it have the same names.
+void Emitter::rest_value(const CanonicalRestValue& value, const std::string& attribute) {
+  CppWriter writer(model.order, "Scalar");
+  std::string call = writer.expression(value.argument);
+  if (value.function == SmoothKind::power)
+    call = fmt::format("power_of({}, {}.0 / {}.0)", call, value.exponent.numerator, value.exponent.denominator);
+  else
+    call = fmt::format("{}_of({})", name_of(value.function), call);
+  std::string inside;
+  for (const std::string& line : writer.definitions()) inside += line + " ";
+  if (!inside.empty()) call = fmt::format("[&] {{ {}return {}; }}()", inside, call);
+  code.line(fmt::format("{}const Scalar {} = {};", attribute, safe_identifier(value.name), call));
 }
 
 void Emitter::definitions(const std::vector<std::string>& lines) {

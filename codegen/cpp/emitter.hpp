@@ -15,7 +15,7 @@ class Emitter {
   /// `in_units`: functions of one unit among several, not of a header.
   explicit Emitter(const CanonicalModel& canonical, bool in_units = false) : model(canonical), units(in_units) {}
 
-  /// Local variables for parameters (and pi) of these names.
+  /// Local variables for parameters, values at rest (and pi) of these names.
   void unpack(const std::vector<std::string>& names, const std::string& attribute = "");
   /// Local variables for shared powers.
   void definitions(const CppWriter& writer) { definitions(writer.definitions()); }
@@ -26,6 +26,9 @@ class Emitter {
   const CanonicalModel& model;
   bool units = false;
   CodeText code;
+
+ private:
+  void rest_value(const CanonicalRestValue& value, const std::string& attribute);
 };
 
 /// mass_matrix, accelerations, acceleration_by_state, acceleration_by_parameters.
