@@ -139,5 +139,20 @@ TEST(RestingModels, AreTheSameAfterACache) {
   EXPECT_EQ(test::largest_difference(*interpreted_model(model), *interpreted_model(*again), 2), 0);
 }
 
+// Columns hold frequencies alone: what a coefficient has of values at rest is the lump's.
+TEST(RestingModels, LumpsHoldTheValuesAtRest) {
+  const Model pendulum = read_model_text(
+      "schema = 1\nname = \"m\"\nreference = \"rest\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w\"\n"
+      "equation = \"D2(x) + k*sin(x) = g\"\n[[case]]\nname = \"c\"\nexcitation = false\nexpand_to = 2\n",
+      "m");
+  const auto model = interpreted_model(canonical_model(pendulum));
+  // -w*(1/4 + 5/12*tan(x_rest)^2)*|A|^2 at x_rest = 1/2 and w = 2
+  const double parameters[] = {2, 0.5}, tangent = std::tan(0.5);
+  const std::complex<double> amplitude(0.1, 0);
+  std::complex<double> rate;
+  model->cases[0].modulation(parameters, nullptr, &amplitude, nullptr, &rate);
+  EXPECT_NEAR(rate.imag(), -2 * (0.25 + 5.0 / 12 * tangent * tangent) * 1e-3, 1e-15);
+}
+
 }  // namespace
 }  // namespace secular
