@@ -1,5 +1,5 @@
 // Models compiled into this program: generated code, never edited by hand.
-#include "generated/registry.hpp"
+#include "registry.hpp"
 
 namespace secular::generated {
 

@@ -10,6 +10,7 @@
 
 #include "input/markup.hpp"
 #include "report/axis_ticks.hpp"
+#include "report/figure_points.hpp"
 #include "report/gnuplot.hpp"
 #include "report/number_format.hpp"
 #include "report/series_look.hpp"
@@ -114,6 +115,7 @@ Range x_range(const Figure& figure) {
 
 Range y_range(const Panel& panel, const Axis& x) {
   RangeFinder finder(panel.y);
+  if (panel.zero_line) finder.show(0);
   for (const Series& series : panel.series)
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       if (!drawable(series, i, x, panel.y)) continue;
@@ -236,6 +238,16 @@ class ScriptWriter {
   }
   int height() const { return height_; }
 
+  /// Where the panels are, for values under the pointer.
+  std::vector<PlotArea> areas() const {
+    std::vector<PlotArea> areas;
+    for (std::size_t p = 0; p < panels_.size(); ++p) {
+      const auto& [box, y, y_ticks, legend, title_baseline, legend_middle] = panels_[p];
+      areas.push_back({box.left, box.right, box.top, box.bottom, x_range_.low, x_range_.high, y.low, y.high});
+    }
+    return areas;
+  }
+
   std::string script() {
     text_ = fmt::format(
         "set terminal svg size {},{} dynamic noenhanced font 'sans-serif,{}' fontscale 1 butt\n"
@@ -351,6 +363,9 @@ class ScriptWriter {
     const double middle_x = (box.left + box.right) / 2, middle_y = (box.top + box.bottom) / 2;
     if (last) write_label(axis_text(figure_.x, x_ticks_.power_of_ten), middle_x, box.bottom + 42, "center", plain);
     write_label(axis_text(panel.y, layout.y_ticks.power_of_ten), 18, middle_y, "center rotate by 90", plain);
+    if (panel.zero_line && layout.y.low < 0 && layout.y.high > 0)
+      text_ += fmt::format("set arrow from graph 0,first 0 to graph 1,first 0 nohead back lc rgb '{}' lw 1\n",
+                           ink_color);
     write_legend(panel, layout);
     write_plot(p, middle_x, middle_y);
   }
@@ -458,8 +473,9 @@ RenderedFigure render_figure(const Figure& figure, const std::string& id, Figure
   PlaceHolders texts;
   ScriptWriter writer(figure, texts);
   const GnuplotOutput drawn = run_gnuplot(writer.script());
-  if (!drawn.problem.empty()) return {box_with_message(figure, drawn.problem, use), drawn.problem};
-  return {clean_svg(drawn.svg, texts, id, {figure.title, figure.width_px, writer.height(), use}), ""};
+  if (!drawn.problem.empty()) return {box_with_message(figure, drawn.problem, use), "", drawn.problem};
+  return {clean_svg(drawn.svg, texts, id, {figure.title, figure.width_px, writer.height(), use}),
+          figure_points(figure, writer.areas()), ""};
 }
 
 }  // namespace secular::report

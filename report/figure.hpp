@@ -32,7 +32,7 @@ enum class SeriesRole {
   model,        ///< computed; a stable branch: vermilion
   unstable,     ///< an unstable branch of the model: vermilion, dashed
   hopf,         ///< a branch unstable through a Hopf bifurcation: purple, dotted
-  alternative,  ///< another model: orange
+  alternative,  ///< another model: brown
   reference     ///< a level or line to compare with: grey, thin
 };
 
@@ -52,6 +52,7 @@ struct Panel {
   std::string title;  ///< optional
   Axis y;
   std::vector<Series> series;
+  bool zero_line = false;  ///< a thin line at y = 0, which the range then holds: for residuals
 };
 
 struct Figure {
@@ -63,13 +64,14 @@ struct Figure {
 };
 
 enum class FigureUse {
-  inline_html,  ///< colours of text and axes follow the page (light, dark, print); no background
+  inline_html,  ///< colours follow the page (light, dark, print); no background
   standalone    ///< a file of its own: dark text on white
 };
 
 /// A drawn figure. Where gnuplot is missing or fails, `svg` is a box that says so and `problem` is not empty.
 struct RenderedFigure {
   std::string svg;      ///< one <svg> element, UTF-8, without XML declaration
+  std::string points;   ///< JSON for values under the pointer (figure_points.hpp); empty where nothing is drawn
   std::string problem;  ///< for the report's warnings
 };
 

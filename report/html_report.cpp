@@ -7,8 +7,11 @@
 
 #include "input/markup.hpp"
 #include "input/page_style.hpp"
+#include "report/hover_script.hpp"
 #include "report/html_style.hpp"
 #include "report/number_format.hpp"
+#include "report/palette.hpp"
+#include "report/warning_kinds.hpp"
 
 namespace secular::report {
 namespace {
@@ -78,10 +81,70 @@ std::vector<std::string> padding_of(const Table& table, std::size_t column) {
   return padding;
 }
 
+/// A number, an interval or a quantity: it never breaks across lines.
+bool is_number(std::string_view text) {
+  constexpr std::string_view minus = "\u2212";
+  if (text.starts_with(minus)) text.remove_prefix(minus.size());
+  while (text.starts_with('(') || text.starts_with('[') || text.starts_with('-')) text.remove_prefix(1);
+  return !text.empty() && text.front() >= '0' && text.front() <= '9';
+}
+
+/// Of a cell: numbers, names of files and the like, and short texts keep to one line.
+std::string_view cell_class(Column::Kind kind, std::string_view text) {
+  constexpr std::size_t short_text = 22, long_name = 48;
+  if (kind == Column::Kind::number) return " class=\"number\"";
+  const bool is_name = text.size() <= long_name && text.find(' ') == std::string_view::npos;
+  return text.size() <= short_text || is_name || is_number(text) ? " class=\"short\"" : "";
+}
+
+/// The palette as variables of the style sheet, by theme.
+std::string series_variables() {
+  std::string light, dark;
+  for (const PaletteColor& color : palette) {
+    light += fmt::format(" --{}: {};", color.name, color.light);
+    dark += fmt::format(" --{}: {};", color.name, color.dark);
+  }
+  return fmt::format(":root {{{0} }}\n@media screen and (prefers-color-scheme: dark) {{ :root {{{1} }} }}\n", light,
+                     dark);
+}
+
+/// The warnings box: one line for every kind, those of one kind under it.
+std::string warnings_box(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return "";
+  std::string box = fmt::format("<div class=\"warnings\" role=\"note\"><strong>{}</strong>\n<ul>\n",
+                                warnings.size() == 1 ? "Warning" : fmt::format("{} warnings", warnings.size()));
+  for (const std::vector<std::size_t>& kind : warning_kinds(warnings)) {
+    const std::string first = escape_markup(warnings[kind.front()]);
+    if (kind.size() == 1) {
+      box += fmt::format("<li>{}</li>\n", first);
+      continue;
+    }
+    box += fmt::format("<li><details><summary>{} × {}</summary>\n<ul>\n", kind.size(), first);
+    for (std::size_t i = 1; i < kind.size(); ++i) box += element("li", warnings[kind[i]]);
+    box += "</ul></details></li>\n";
+  }
+  return box + "</ul></div>\n";
+}
+
+std::string card_html(const Card& card) {
+  const std::string_view word = word_for(card.tone);
+  std::string html =
+      fmt::format("<div class=\"card {}\"><div class=\"label\">{}{}</div><div class=\"value{}\">{}</div>",
+                  class_of(card.tone), escape_markup(card.label), word.empty() ? "" : fmt::format(" · {}", word),
+                  is_number(card.value) ? " headline" : "", escape_markup(card.value));
+  if (!card.note.empty()) html += fmt::format("<div class=\"note\">{}</div>", escape_markup(card.note));
+  return html + "</div>\n";
+}
+
 }  // namespace
 
 HtmlReport::HtmlReport(std::string title, std::string subtitle)
     : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
+
+void HtmlReport::verdict(std::string_view sentence, Tone tone) {
+  verdict_ = sentence;
+  verdict_tone_ = tone;
+}
 
 void HtmlReport::card(Card card) {
   cards_.push_back(std::move(card));
@@ -122,18 +185,19 @@ void HtmlReport::table(const Table& table) {
   if (!table.row_tones.empty() && table.row_tones.size() != table.rows.size())
     throw std::invalid_argument(
         fmt::format("report table: {} tones for {} rows", table.row_tones.size(), table.rows.size()));
-  const auto class_attribute = [&](std::size_t c) {
-    return table.columns[c].kind == Column::Kind::number ? " class=\"number\"" : "";
-  };
-  body_ += "<div class=\"scroll\"><table>\n";
+  const bool folded = table.rows.size() > most_open_rows;
+  const std::string name = escape_markup_line(table.caption.empty() ? "Table" : table.caption);
+  if (folded) body_ += fmt::format("<details>\n<summary>{}: {} rows</summary>\n", name, table.rows.size());
+  body_ += fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table>\n", name);
   if (!table.caption.empty()) body_ += element("caption", table.caption);
   body_ += "<thead><tr>";
   std::vector<std::vector<std::string>> padding;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const std::string unit = pretty_unit(table.columns[c].unit);
-    body_ +=
-        fmt::format("<th scope=\"col\"{}>{}{}</th>", class_attribute(c), escape_markup(table.columns[c].heading),
-                    unit.empty() ? "" : fmt::format("<span class=\"unit\">{}</span>", escape_markup(unit)));
+    body_ += fmt::format("<th scope=\"col\"{}>{}{}</th>",
+                         table.columns[c].kind == Column::Kind::number ? " class=\"number\"" : "",
+                         escape_markup(table.columns[c].heading),
+                         unit.empty() ? "" : fmt::format("<span class=\"unit\">{}</span>", escape_markup(unit)));
     padding.push_back(padding_of(table, c));
   }
   body_ += "</tr></thead>\n<tbody>\n";
@@ -141,18 +205,31 @@ void HtmlReport::table(const Table& table) {
     const Tone tone = table.row_tones.empty() ? Tone::neutral : table.row_tones[r];
     body_ += tone == Tone::neutral ? "<tr>" : fmt::format("<tr class=\"{}\">", class_of(tone));
     for (std::size_t c = 0; c < table.columns.size(); ++c)
-      body_ += fmt::format("<td{}>{}{}</td>", class_attribute(c), escape_markup(table.rows[r][c]), padding[c][r]);
+      body_ += fmt::format("<td{}>{}{}</td>", cell_class(table.columns[c].kind, table.rows[r][c]),
+                           escape_markup(table.rows[r][c]), padding[c][r]);
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";
+  if (folded) body_ += "</details>\n";
 }
 
 void HtmlReport::figure(const Figure& figure, std::string_view caption) {
-  const int number = ++figures_;
-  const RenderedFigure drawn = render_figure(figure, fmt::format("figure-{}", number));
+  const RenderedFigure drawn = render_figure(figure, fmt::format("figure-{}", figures_ + 1));
   if (!drawn.problem.empty()) warn("Figures could not be drawn: " + drawn.problem);
-  body_ += fmt::format("<figure>\n{}<figcaption><strong>Figure {}.</strong> {}</figcaption>\n</figure>\n",
-                       drawn.svg, number, escape_markup(caption));
+  add_figure(drawn, figure.title, caption);
+}
+
+void HtmlReport::drawing(std::string_view svg, std::string_view title, std::string_view caption) {
+  add_figure({std::string(svg), "", ""}, title, caption);
+}
+
+void HtmlReport::add_figure(const RenderedFigure& drawn, std::string_view title, std::string_view caption) {
+  body_ += fmt::format(
+      "<figure>\n<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Figure {0}: "
+      "{1}\"{4}>\n{2}</div>\n"
+      "<figcaption><strong>Figure {0}.</strong> {3}</figcaption>\n</figure>\n",
+      ++figures_, escape_markup_line(title), drawn.svg, escape_markup(caption),
+      drawn.points.empty() ? "" : fmt::format(" data-plot=\"{}\"", escape_markup_line(drawn.points)));
 }
 
 void HtmlReport::details(std::string_view summary, const std::function<void()>& content) {
@@ -166,7 +243,7 @@ std::string HtmlReport::html() const {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<style>{}{}</style>\n</head>\n<body>\n<main>\n<header>\n",
-      escape_markup_line(title_), page_style, html_style);
+      escape_markup_line(title_), page_style, std::string(html_style) + series_variables());
   page += element("h1", title_);
   if (!subtitle_.empty()) page += fmt::format("<p class=\"subtitle\">{}</p>\n", escape_markup(subtitle_));
   if (sections_.size() > 2) {
@@ -176,24 +253,14 @@ std::string HtmlReport::html() const {
     page += "</nav>\n";
   }
   page += "</header>\n";
+  if (!verdict_.empty())
+    page += fmt::format("<p class=\"verdict {}\">{}</p>\n", class_of(verdict_tone_), escape_markup(verdict_));
   if (!cards_.empty()) {
     page += "<div class=\"cards\">\n";
-    for (const Card& card : cards_) {
-      const std::string_view word = word_for(card.tone);
-      page += fmt::format("<div class=\"card {}\"><div class=\"label\">{}{}</div><div class=\"value\">{}</div>",
-                          class_of(card.tone), escape_markup(card.label),
-                          word.empty() ? "" : fmt::format(" · {}", word), escape_markup(card.value));
-      if (!card.note.empty()) page += fmt::format("<div class=\"note\">{}</div>", escape_markup(card.note));
-      page += "</div>\n";
-    }
+    for (const Card& card : cards_) page += card_html(card);
     page += "</div>\n";
   }
-  if (!warnings_.empty()) {
-    page += fmt::format("<div class=\"warnings\" role=\"note\"><strong>{}</strong>\n<ul>\n",
-                        warnings_.size() == 1 ? "Warning" : fmt::format("{} warnings", warnings_.size()));
-    for (const std::string& text : warnings_) page += element("li", text);
-    page += "</ul></div>\n";
-  }
+  page += warnings_box(warnings_);
   page += body_;
   page += "<footer>\n";
   if (!provenance_.command.empty()) page += "<p>Made by</p>\n" + element("pre", provenance_.command);
@@ -203,7 +270,9 @@ std::string HtmlReport::html() const {
     for (const std::string& input : provenance_.inputs) page += element("li", input);
     page += "</ul>\n";
   }
-  return page + "</footer>\n</main>\n</body>\n</html>\n";
+  page += "</footer>\n</main>\n";
+  if (figures_ > 0) page += fmt::format("<script>{}</script>\n", hover_script);
+  return page + "</body>\n</html>\n";
 }
 
 }  // namespace secular::report

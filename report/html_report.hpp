@@ -8,8 +8,9 @@
 
 #include "report/figure.hpp"
 
-/// One self-contained HTML page: styles and figures inside, no script, nothing fetched; readable on light and dark
-/// screens and in print. Every text is escaped here: hand over plain text.
+/// One self-contained HTML page: styles, figures and one small script (values under the pointer) inside, nothing
+/// fetched, complete without the script; readable on light and dark screens, on a phone and in print. Every text is
+/// escaped here: hand over plain text.
 namespace secular::report {
 
 enum class Tone { neutral, good, caution, bad };
@@ -46,13 +47,18 @@ struct Provenance {
   std::vector<std::string> inputs;  ///< "campaign: out/test, 24 records", ...
 };
 
+/// Rows of a table that stand open on the page.
+inline constexpr std::size_t most_open_rows = 24;
+
 class HtmlReport {
  public:
   HtmlReport(std::string title, std::string subtitle = {});
 
   // Above the body, whenever they are called:
+  /// What the run found, in one sentence of plain English; the last call counts.
+  void verdict(std::string_view sentence, Tone tone = Tone::neutral);
   void card(Card card);
-  /// A line of the warnings box; the same text twice is said once.
+  /// A line of the warnings box; the same text twice is said once, texts that differ in numbers alone are folded.
   void warn(std::string_view text);
   void provenance(Provenance provenance);
 
@@ -62,10 +68,14 @@ class HtmlReport {
   void bullets(const std::vector<std::string>& items);
   /// Equations, commands, file contents: fixed pitch, line breaks kept.
   void preformatted(std::string_view text);
-  /// Throws std::invalid_argument where a row has not as many cells as there are columns.
+  /// A table of more than `most_open_rows` is a part that the reader unfolds. Throws std::invalid_argument where a
+  /// row has not as many cells as there are columns.
   void table(const Table& table);
-  /// Draws the figure; one that cannot be drawn leaves a box that says so, and a warning.
+  /// Draws the figure; one that cannot be drawn leaves a box that says so, and a warning. `caption`: what is shown,
+  /// and how to read it.
   void figure(const Figure& figure, std::string_view caption);
+  /// A figure that is drawn already: one <svg> element.
+  void drawing(std::string_view svg, std::string_view title, std::string_view caption);
   /// A part that the reader unfolds: what `content` adds to this report.
   void details(std::string_view summary, const std::function<void()>& content);
 
@@ -74,7 +84,10 @@ class HtmlReport {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  std::string title_, subtitle_, body_;
+  void add_figure(const RenderedFigure& drawn, std::string_view title, std::string_view caption);
+
+  std::string title_, subtitle_, verdict_, body_;
+  Tone verdict_tone_ = Tone::neutral;
   std::vector<Card> cards_;
   std::vector<std::string> warnings_;
   Provenance provenance_;

@@ -6,35 +6,34 @@
 #include <string>
 #include <utility>
 
+#include "report/palette.hpp"
+
 namespace secular::report {
 namespace {
 
-constexpr std::string_view blue = "#0072B2", sky = "#56B4E9", green = "#009E73", vermilion = "#D55E00",
-                           orange = "#E69F00", purple = "#CC79A7", grey = "#7F7F7F";
-
-constexpr std::array<std::string_view, 6> by_group = {blue, vermilion, green, purple, orange, sky};
+constexpr std::array by_group = {blue, vermilion, green, purple, brown, violet};
 // circle, square, triangle, diamond, triangle down: gnuplot's point types
 constexpr std::array<int, 5> filled = {7, 5, 9, 13, 11};
 constexpr std::array<int, 5> hollow = {6, 4, 8, 12, 10};
 
 std::string_view color_of_role(SeriesRole role, std::size_t turn) {
-  const auto pick = [turn](const auto& colors) { return colors[turn % colors.size()]; };
+  const auto pick = [turn](const auto& colors) { return colors[turn % colors.size()].light; };
   switch (role) {
     case SeriesRole::data:
-      return pick(std::array{blue, sky, green, purple});
+      return pick(std::array{blue, violet, green, purple});
     case SeriesRole::held_out:
-      return pick(std::array{green, purple, sky, blue});
+      return pick(std::array{green, purple, violet, blue});
     case SeriesRole::model:
     case SeriesRole::unstable:
-      return pick(std::array{vermilion, orange, purple, sky, green, blue});
+      return pick(std::array{vermilion, brown, purple, violet, green, blue});
     case SeriesRole::hopf:
-      return pick(std::array{purple, sky, green});
+      return pick(std::array{purple, violet, green});
     case SeriesRole::alternative:
-      return pick(std::array{orange, sky, green, purple});
+      return pick(std::array{brown, violet, green, purple});
     case SeriesRole::reference:
-      return grey;
+      return grey.light;
   }
-  return grey;
+  return grey.light;
 }
 
 std::string_view dash_of_role(SeriesRole role) {
@@ -64,7 +63,7 @@ std::vector<SeriesLook> series_looks(const std::vector<Series>& panel) {
 
     SeriesLook look;
     const std::size_t shape = series.group ? static_cast<std::size_t>(*series.group < 0 ? 0 : *series.group) : turn;
-    look.color = series.group && series.role != SeriesRole::reference ? by_group[shape % by_group.size()]
+    look.color = series.group && series.role != SeriesRole::reference ? by_group[shape % by_group.size()].light
                                                                       : color_of_role(series.role, turn);
     look.dash = dash_of_role(series.role);
     look.line_width = series.role == SeriesRole::reference ? 1.2 : 2;

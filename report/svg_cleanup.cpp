@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 
 #include "input/markup.hpp"
+#include "report/palette.hpp"
 
 namespace secular::report {
 namespace {
@@ -29,6 +31,23 @@ void put_text(std::string& line, const PlaceHolders& texts) {
   const std::size_t inside = begin + open.size();
   if (const std::string* text = texts.find(std::string_view(line).substr(inside, end - inside)))
     line.replace(inside, end - inside, *text);
+}
+
+/// gnuplot's two ways to write a colour of six digits: "rgb(  0, 114, 178)" and "rgb(0,114,178)".
+std::array<std::string, 2> gnuplot_colors(std::string_view hex) {
+  int red = 0, green_part = 0, blue_part = 0;
+  std::from_chars(hex.data() + 1, hex.data() + 3, red, 16);
+  std::from_chars(hex.data() + 3, hex.data() + 5, green_part, 16);
+  std::from_chars(hex.data() + 5, hex.data() + 7, blue_part, 16);
+  return {fmt::format("rgb({:3}, {:3}, {:3})", red, green_part, blue_part),
+          fmt::format("rgb({},{},{})", red, green_part, blue_part)};
+}
+
+/// Colours of series become those of the page's theme (series_variables).
+void follow_the_page(std::string& svg) {
+  for (const PaletteColor& color : palette)
+    for (const std::string& written : gnuplot_colors(color.light))
+      replace_all(svg, written, fmt::format("var(--{})", color.name));
 }
 
 std::string clean_line(std::string_view raw, const PlaceHolders& texts, std::string_view id) {
@@ -80,8 +99,14 @@ std::string svg_head(const SvgFrame& frame) {
         fmt::format(" color=\"#1b1f24\">\n<title>{}</title>\n<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n",
                     name, width, height);
   else
-    head += fmt::format(">\n<title>{}</title>\n", name);
+    head += fmt::format(" style=\"--width: {}px\">\n<title>{}</title>\n", width, name);
   return head;
+}
+
+std::string svg_text(double x, double y, std::string_view text, std::string_view anchor,
+                     std::string_view attributes) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"currentColor\" {}>{}</text>\n", x,
+                     y, anchor, attributes, escape_markup_line(text));
 }
 
 std::string clean_svg(std::string_view gnuplot_svg, const PlaceHolders& texts, std::string_view id,
@@ -113,6 +138,7 @@ std::string clean_svg(std::string_view gnuplot_svg, const PlaceHolders& texts, s
   append_lines(between(gnuplot_svg, "<defs>", "<filter"));
   svg += "</defs>\n<g>\n";
   append_lines(between(gnuplot_svg, "</defs>", "</svg>"));
+  if (frame.use == FigureUse::inline_html) follow_the_page(svg);
   return svg + "</svg>\n";
 }
 

@@ -39,4 +39,9 @@ std::string clean_svg(std::string_view gnuplot_svg, const PlaceHolders& texts, s
 /// The opening tag, name and (standalone) background of a figure's SVG.
 std::string svg_head(const SvgFrame& frame);
 
+/// One line of text of a figure that is drawn without gnuplot. `anchor`: "start", "middle" or "end"; `attributes`:
+/// further ones, written as they are.
+std::string svg_text(double x, double y, std::string_view text, std::string_view anchor = "middle",
+                     std::string_view attributes = "");
+
 }  // namespace secular::report

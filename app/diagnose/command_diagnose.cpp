@@ -132,8 +132,7 @@ int run(DiagnoseArguments& options, const CLI::App& command) {
   const DiagnosisRun result = run_diagnosis(options.request, read_campaign(options.campaign));
   const std::string json = diagnosis_json(result);
   const std::string html = diagnosis_report(result, command_line_of(command));
-  const std::string figure =
-      report::render_figure(gap_figure(result.diagnosis), "gap", report::FigureUse::standalone).svg;
+  const std::string figure = report::render_figure(gap_figure(result), "gap", report::FigureUse::standalone).svg;
   options.output.write({{"diagnosis.json", json}, {"report.html", html}, {"gap.svg", figure}});
   print_warnings(folded(result.diagnosis.warnings, result.campaign));
   if (options.json)

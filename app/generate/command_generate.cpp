@@ -27,7 +27,7 @@ void add_generate_command(CLI::App* command, Action& chosen) {
   };
   auto options = std::make_shared<Options>();
   command->add_option("MODEL", options->models, "model files, or names of shipped models")->required();
-  options->output.add_to(*command, "folder for NAME.hpp and NAME.cpp and the registry");
+  options->output.add_to(*command, "folder for NAME.hpp, NAME.CASE.hpp, NAME.cpp and the registry");
   command->add_flag("--json", options->json, "list what was written as JSON");
   command->footer("Example: secular generate two_mass_mode1 pendulum -o generated");
   command->callback([options, &chosen] {

@@ -92,7 +92,10 @@ void print_full_summary(const Identification& id, const std::string& folder) {
   if (full.has_converged) {
     const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
     fmt::print("fit of all records: off by {:.3g} times what the measurement repeats to (p = {:.2g}{})\n",
-               fit.misfit_ratio, fit.p_value, fit.significant ? ", the model does not hold" : ", nothing wrong");
+               fit.misfit_ratio, fit.p_value,
+               full.noise_misjudged ? ": the noise is misjudged, and nothing is said of the model"
+               : fit.significant    ? ", the model does not hold"
+                                    : ", nothing wrong");
     fmt::print("parameters\n");
     for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
     print_following(id);
@@ -151,9 +154,9 @@ int run(IdentifyArguments& options, const std::string& command) {
   options.request.note = print_note;
   const Identification result = identify(options.request, read_campaign(options.campaign));
   const std::string json = estimate_json(result);
-  const std::string html = identification_report(result, command);
-  const std::string figure =
-      report::render_figure(response_figure(result), "response", report::FigureUse::standalone).svg;
+  const report::Figure response = response_figure(result);
+  const std::string html = identification_report(result, response, command);
+  const std::string figure = report::render_figure(response, "response", report::FigureUse::standalone).svg;
   options.output.write({{"estimate.json", json}, {"report.html", html}, {"response.svg", figure}});
   if (options.timings)
     for (const auto& [stage, seconds] : result.seconds) fmt::print(stderr, "{:<30} {:7.3f} s\n", stage, seconds);

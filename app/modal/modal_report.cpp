@@ -186,6 +186,7 @@ void add_modes(report::HtmlReport& page, const ModalSurvey& survey) {
   Table table;
   table.columns = {{"Mode", Column::Kind::text, ""},
                    {"Natural frequency", Column::Kind::number, "Hz"},
+                   {"Natural frequency", Column::Kind::number, "rad/s"},
                    {"Damping ratio", Column::Kind::number, "%"},
                    {"Motion", Column::Kind::text, ""},
                    {"Phase collinearity", Column::Kind::number, ""},
@@ -194,12 +195,13 @@ void add_modes(report::HtmlReport& page, const ModalSurvey& survey) {
                    {"From", Column::Kind::text, ""}};
   for (std::size_t r = 0; r < survey.modes.size(); ++r) {
     const SurveyMode& mode = survey.modes[r];
-    table.rows.push_back({mode_name(r),
-                          report::format_uncertain(mode.natural_frequency_hz, mode.natural_frequency_sd_hz),
-                          report::format_uncertain(100 * mode.damping_ratio, 100 * mode.damping_ratio_sd),
-                          to_string(mode.trend()), report::format_number(mode.phase_collinearity, 3),
-                          mode.mass ? report::format_uncertain(*mode.mass, mode.mass_sd) : "",
-                          std::to_string(mode.diagram.orders), mode.from});
+    table.rows.push_back(
+        {mode_name(r), report::format_uncertain(mode.natural_frequency_hz, mode.natural_frequency_sd_hz),
+         report::format_uncertain(mode.natural_frequency_hz / to_hz, mode.natural_frequency_sd_hz / to_hz),
+         report::format_uncertain(100 * mode.damping_ratio, 100 * mode.damping_ratio_sd), to_string(mode.trend()),
+         report::format_number(mode.phase_collinearity, 3),
+         mode.mass ? report::format_uncertain(*mode.mass, mode.mass_sd) : "", std::to_string(mode.diagram.orders),
+         mode.from});
   }
   page.table(table);
   add_tones(page, survey);
@@ -318,6 +320,22 @@ void add_responses(report::HtmlReport& page, const ModalSurvey& survey) {
   add_masses(page, survey);
 }
 
+std::string verdict_of(const ModalSurvey& survey) {
+  if (survey.modes.empty()) return "No mode was found.";
+  const auto [low, high] = std::minmax_element(
+      survey.modes.begin(), survey.modes.end(),
+      [](const SurveyMode& a, const SurveyMode& b) { return a.natural_frequency_hz < b.natural_frequency_hz; });
+  const auto [soft, hard] = std::minmax_element(
+      survey.modes.begin(), survey.modes.end(),
+      [](const SurveyMode& a, const SurveyMode& b) { return a.damping_ratio < b.damping_ratio; });
+  const auto hertz = [](const SurveyMode& mode) { return report::format_number(mode.natural_frequency_hz, 4); };
+  const auto percent = [](const SurveyMode& mode) { return report::format_number(100 * mode.damping_ratio, 2); };
+  if (survey.modes.size() == 1)
+    return fmt::format("One mode was found, at {} Hz with a damping ratio of {} %.", hertz(*low), percent(*low));
+  return fmt::format("{} modes were found between {} and {} Hz, with damping ratios from {} to {} %.",
+                     survey.modes.size(), hertz(*low), hertz(*high), percent(*soft), percent(*hard));
+}
+
 }  // namespace
 
 std::string modal_report(const ModalSurvey& survey, const std::string& command) {
@@ -327,11 +345,15 @@ std::string modal_report(const ModalSurvey& survey, const std::string& command) 
   for (std::size_t c = 0; c < survey.channels.size(); ++c)
     channels.push_back(survey.channel_name(static_cast<Index>(c)));
   for (const std::string& warning : survey.warnings) page.warn(warning);
+  page.verdict(verdict_of(survey), survey.modes.empty() ? Tone::bad : Tone::neutral);
   for (std::size_t r = 0; r < survey.modes.size() && r < 6; ++r) {
     const SurveyMode& mode = survey.modes[r];
     page.card({"Mode " + mode_name(r),
                report::format_quantity(mode.natural_frequency_hz, mode.natural_frequency_sd_hz, "Hz"),
-               "damping " + report::format_uncertain(100 * mode.damping_ratio, 100 * mode.damping_ratio_sd) + " %",
+               fmt::format("{} rad/s, damping {} %",
+                           report::format_uncertain(mode.natural_frequency_hz / to_hz,
+                                                    mode.natural_frequency_sd_hz / to_hz),
+                           report::format_uncertain(100 * mode.damping_ratio, 100 * mode.damping_ratio_sd)),
                mode.phase_collinearity < 0.9 ? Tone::caution : Tone::neutral});
   }
   page.section("Modes");

@@ -67,6 +67,11 @@ std::string minutes(double seconds) {
   return seconds < 600 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
 }
 
+// Of the excitation's amplitude: that of the experiment written beside the report.
+std::string excitation_unit(const PlanResult& plan) {
+  return plan.sensors && plan.sensors->excitation ? plan.sensors->excitation->channel.unit : "m/s^2";
+}
+
 Figure plan_figure(const PlanResult& plan) {
   Figure figure;
   figure.title = "Planned dwells on the predicted responses";
@@ -88,8 +93,8 @@ Figure plan_figure(const PlanResult& plan) {
     bool first = true;
     for (auto& [level, line] : levels) {
       if (first && m == 0)
-        line.name =
-            fmt::format("stable responses, {:.4g} to {:.4g}", levels.begin()->first, levels.rbegin()->first);
+        line.name = fmt::format("stable responses, {:.4g} to {:.4g} {}", levels.begin()->first,
+                                levels.rbegin()->first, report::pretty_unit(excitation_unit(plan)));
       first = false;
       panel.series.push_back(std::move(line));
     }
@@ -115,7 +120,7 @@ Figure plan_figure(const PlanResult& plan) {
 Table dwell_table(const Programme& programme, const PlanResult& plan) {
   Table table;
   table.columns = {{"Frequency", Column::Kind::number, "Hz"},
-                   {"Level", Column::Kind::number, ""},
+                   {"Level", Column::Kind::number, excitation_unit(plan)},
                    {"Ensembles", Column::Kind::number, ""},
                    {"Settle", Column::Kind::number, "s"},
                    {"Slowest decay", Column::Kind::number, "1/s"}};
@@ -134,6 +139,24 @@ Table dwell_table(const Programme& programme, const PlanResult& plan) {
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+// "14 dwells in 597 s determine mu1 to 0.020 % and mu3 to 0.033 % (one standard deviation)."
+std::string verdict_of(const PlanResult& plan) {
+  std::string known;
+  for (std::size_t i = 0; i < plan.wanted.size(); ++i) {
+    const Eigen::Index w = plan.wanted[i];
+    const double value = plan.unknowns.values(w), sd = plan.plan.sd(w);
+    known += (i == 0                        ? ""
+              : i + 1 == plan.wanted.size() ? " and "
+                                            : ", ") +
+             plan.unknowns.names[static_cast<std::size_t>(w)];
+    known += !std::isfinite(sd) ? " not at all"
+             : value == 0       ? " to " + report::format_number(sd, 2)
+                                : " to " + report::format_number(100 * sd / std::abs(value), 2) + " %";
+  }
+  return fmt::format("{} dwell{} in {} determine {} (one standard deviation).", plan.plan.dwells.size(),
+                     plan.plan.dwells.size() == 1 ? "" : "s", minutes(plan.plan.time_s), known);
 }
 
 std::string toml_list(const std::vector<double>& values) {
@@ -186,6 +209,7 @@ std::string plan_report(const PlanRequest& request, const PlanResult& plan, cons
   report::HtmlReport page(fmt::format("Test plan for {}", plan.model->name),
                           fmt::format("Case {}, {}", plan.resonance->name, aim_of(request)));
   for (const std::string& warning : plan.warnings) page.warn(warning);
+  page.verdict(verdict_of(plan), plan.against && !plan.meets_target ? Tone::caution : Tone::good);
   page.card({"Laboratory time", minutes(plan.plan.time_s), fmt::format("{} dwells", plan.plan.dwells.size()),
              Tone::neutral});
   if (plan.against) {

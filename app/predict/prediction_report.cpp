@@ -27,6 +27,10 @@ using report::Table;
 
 constexpr double to_degrees = 180 / std::numbers::pi;
 
+// A file of parameters does not say in which unit coordinates are.
+constexpr const char* unit_of_coordinates = "unit of coordinates";
+constexpr const char* unit_of_squares = "its square";
+
 constexpr const char* outside_name = "outside of the expansion's range";
 
 // The line's points from `first` on that lie outside of the expansion's range move to a line of their own, drawn
@@ -170,8 +174,8 @@ Figure response_figure(const Prediction& prediction) {
   figure.x = {axis_label(*prediction.vary, prediction.axis_unit), prediction.axis_unit, false, {}};
   for (const std::size_t mode : moving_modes(prediction)) {
     const std::string name(prediction.model->coordinates[mode]);
-    Panel panel =
-        response_panel(prediction, mode, {"Peak amplitude of " + name, "", false, {}}, peak_amplitude, true);
+    Panel panel = response_panel(prediction, mode, {"Peak amplitude of " + name, unit_of_coordinates, false, {}},
+                                 peak_amplitude, true);
     int group = 0;
     for (const PredictedSweep& sweep : prediction.sweeps) {
       Series points;
@@ -280,8 +284,9 @@ Figure amplitude_diagram(const Prediction& prediction) {
     const std::string name(prediction.model->coordinates[mode]);
     const auto x = [&](const ResponseCurvePoint& at) { return at.second / prediction.against_axis; };
     const auto y = [&](const ResponseCurvePoint& at) { return peak_amplitude(at.modes, mode); };
-    figure.panels.push_back(curve_panel(prediction, {"Peak amplitude of " + name, "", false, {}}, x, y));
-    figure.panels.push_back(curve_panel(prediction, {"Its square", "", false, {}}, x,
+    figure.panels.push_back(
+        curve_panel(prediction, {"Peak amplitude of " + name, unit_of_coordinates, false, {}}, x, y));
+    figure.panels.push_back(curve_panel(prediction, {"Its square", unit_of_squares, false, {}}, x,
                                         [&](const ResponseCurvePoint& at) { return y(at) * y(at); }));
   }
   return figure;
@@ -291,7 +296,7 @@ Figure backbone_figure(const Prediction& prediction, std::size_t b) {
   const auto& [name, points] = prediction.backbones[b];
   Figure figure;
   figure.title = "Backbone of " + name;
-  figure.x = {"Peak amplitude of " + name, "", false, {}};
+  figure.x = {"Peak amplitude of " + name, unit_of_coordinates, false, {}};
   Series frequency, decay;
   for (const BackbonePoint& at : points) {
     frequency.x.push_back(2 * at.amplitude);
@@ -373,6 +378,49 @@ void add_jumps(report::HtmlReport& page, const Prediction& prediction) {
     page.table(table);
 }
 
+std::string verdict_of(const Prediction& prediction) {
+  if (!prediction.backbones.empty()) {
+    const auto& [name, points] = prediction.backbones.front();
+    return fmt::format(
+        "As the peak amplitude of {} rises from 0 to {}, its frequency goes from {} to {} Hz and its decay rate "
+        "from {} "
+        "to {} 1/s.",
+        name, report::format_number(2 * points.back().amplitude, 3),
+        report::format_number(points.front().frequency * to_hz, 5),
+        report::format_number(points.back().frequency * to_hz, 5), report::format_number(-points.front().growth, 3),
+        report::format_number(-points.back().growth, 3));
+  }
+  const std::string unit = prediction.axis_unit.empty() ? "" : " " + prediction.axis_unit;
+  const std::string range =
+      fmt::format("{} = {:.6g} to {:.6g}{}", prediction.vary->name, prediction.vary->from / prediction.axis,
+                  prediction.vary->to / prediction.axis, unit);
+  if (prediction.against)
+    return fmt::format(
+        "Over {}, {} {} found against {}.", range, prediction.curves.size(),
+        prediction.curves.size() == 1 ? "curve of special points was" : "curves of special points were",
+        prediction.against->name);
+  const std::size_t mode = moving_modes(prediction).front();
+  double largest = 0, where = 0;
+  std::size_t changes = 0;
+  for (const ResponseBranch& branch : prediction.diagram.branches) {
+    changes += branch.special.size();
+    for (const ResponsePoint& at : branch.points) {
+      const double amplitude = peak_amplitude(at.modes, mode);
+      if (at.unstable > 0 || at.outside || amplitude <= largest) continue;
+      largest = amplitude;
+      where = at.parameter / prediction.axis;
+    }
+  }
+  const std::string name(prediction.model->coordinates[mode]);
+  const std::string change = changes == 0
+                                 ? "its stability does not change"
+                                 : "responses appear, vanish or change their stability at the marked points";
+  if (largest == 0)
+    return fmt::format("Over {} no stable response of {} but rest was found; {}.", range, name, change);
+  return fmt::format("Over {} the stable response of {} is largest at {}{}, with a peak amplitude of {}; {}.",
+                     range, name, report::format_number(where, 6), unit, report::format_number(largest, 3), change);
+}
+
 }  // namespace
 
 std::vector<PredictionFigure> prediction_figures(const Prediction& prediction) {
@@ -403,6 +451,7 @@ std::string prediction_report(const Prediction& prediction, const std::vector<Pr
   report::HtmlReport page("Prediction of " + std::string(prediction.model->name),
                           "Case " + std::string(prediction.resonance->name));
   for (const std::string& warning : prediction.warnings) page.warn(warning);
+  page.verdict(verdict_of(prediction));
   const auto draw = [&] {
     for (const PredictionFigure& figure : figures) page.figure(figure.figure, figure.caption);
   };

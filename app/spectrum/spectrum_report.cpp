@@ -369,6 +369,7 @@ bool RecordSpectrum::tables_empty() const {
 std::string spectrum_report(const RecordSpectrum& record, const std::string& command) {
   report::HtmlReport page("Spectrum", record.source);
   const SpectralSurvey& survey = record.survey;
+  if (!record.conclusions.empty()) page.verdict(record.conclusions.front());
   page.card({"Dominant functions of time",
              survey.step.clear ? std::to_string(survey.step.functions) : "no clear number",
              fmt::format("largest step of the singular values: {}", report::format_number(survey.step.ratio, 2)),
@@ -381,8 +382,10 @@ std::string spectrum_report(const RecordSpectrum& record, const std::string& com
   if (survey.settling)
     page.card({"Settled", survey.settling->settled ? "yes" : "no", survey.settling->reason,
                survey.settling->settled ? Tone::good : Tone::bad});
-  page.section("Conclusions");
-  page.bullets(record.conclusions);
+  if (record.conclusions.size() > 1) {
+    page.section("Conclusions");
+    page.bullets({record.conclusions.begin() + 1, record.conclusions.end()});
+  }
   page.section("Record");
   page.figure(history_figure(record),
               "The beginning of what was analysed, and what the decomposition leaves of it.");

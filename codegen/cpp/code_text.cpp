@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <vector>
 
 namespace secular {
 namespace {
@@ -15,19 +16,11 @@ std::size_t position(std::size_t found) {
 
 }  // namespace
 
-CodeText& CodeText::line(const std::string& text) {
-  if (text.empty()) {
-    text_ += "\n";
-    return *this;
-  }
-  if (text.front() == '}') --depth_;
-  const std::string indent(static_cast<std::size_t>(indentation * std::max(0, depth_)), ' ');
-  std::string rest = text;
-  const std::size_t remark = rest.find(";  // ");
-  if (remark != std::string::npos && indent.size() + rest.size() > widest) {
-    text_ += indent + rest.substr(remark + 3) + "\n";
-    rest.resize(remark + 1);
-  }
+std::string CodeText::indent() const {
+  return std::string(static_cast<std::size_t>(indentation * std::max(0, depth_)), ' ');
+}
+
+void CodeText::broken(const std::string& indent, std::string rest) {
   std::string lead = indent;
   const bool breakable = rest.rfind("//", 0) != 0 && rest.find('"') == std::string::npos;
   while (breakable && lead.size() + rest.size() > widest) {
@@ -40,8 +33,50 @@ CodeText& CodeText::line(const std::string& text) {
     lead = indent + "    ";
   }
   text_ += lead + rest + "\n";
+}
+
+CodeText& CodeText::line(const std::string& text) {
+  if (text.empty()) {
+    text_ += "\n";
+    return *this;
+  }
+  if (text.front() == '}') --depth_;
+  std::string rest = text;
+  const std::size_t remark = rest.find(";  // ");
+  if (remark != std::string::npos && indent().size() + rest.size() > widest) {
+    text_ += indent() + rest.substr(remark + 3) + "\n";
+    rest.resize(remark + 1);
+  }
+  broken(indent(), rest);
   if (text.back() == '{') ++depth_;
   return *this;
+}
+
+void CodeText::list(const std::string& open, const std::vector<std::string>& items, const std::string& close) {
+  const std::string continued = indent() + "    ";
+  std::string row = indent() + open;
+  const auto finish = [&] {
+    const std::size_t lead = row.find_first_not_of(' ');
+    broken(row.substr(0, lead), row.substr(lead));
+  };
+  bool started = false;  // with an item on the row
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string piece = items[i] + (i + 1 == items.size() ? close : ",");
+    if (started && row.size() + 1 + piece.size() > widest) {
+      finish();
+      row = continued + piece;
+    } else {
+      row += (started ? " " : "") + piece;
+    }
+    started = true;
+  }
+  if (items.empty()) row += close;
+  finish();
+}
+
+void CodeText::wrapped(const std::string& first, const std::string& rest) {
+  text_ += indent() + first + "\n";
+  line("    " + rest);
 }
 
 CodeText& CodeText::comment(const std::string& text, const std::string& mark) {
@@ -55,12 +90,6 @@ CodeText& CodeText::comment(const std::string& text, const std::string& mark) {
     row += (row.empty() ? "" : " ") + word;
   }
   return row.empty() ? *this : line(mark + " " + row);
-}
-
-void CodeText::statement(const std::string& text) {
-  std::istringstream rows(text);
-  bool first = true;
-  for (std::string row; std::getline(rows, row); first = false) line((first ? "" : "    ") + row);
 }
 
 std::string without_namespace_indentation(const std::string& text) {
@@ -91,13 +120,6 @@ void add_to_sum(std::string& sum, const std::string& addend) {
     sum += " + " + addend;
 }
 
-int operations_in(const std::string& code) {
-  int count = 0;
-  for (std::size_t i = 1; i + 1 < code.size(); ++i)
-    if (code[i - 1] == ' ' && code[i + 1] == ' ' && std::string("+-*/").find(code[i]) != std::string::npos) ++count;
-  return count;
-}
-
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -109,6 +131,19 @@ std::string quoted(const std::string& text) {
       result += c;
   }
   return result + "\"";
+}
+
+std::vector<std::string> quoted_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string rest = text;
+  while (rest.size() > widest_comment) {
+    const std::size_t cut = rest.rfind(' ', widest_comment);
+    if (cut == std::string::npos || cut == 0) break;
+    lines.push_back(secular::quoted(rest.substr(0, cut + 1)));
+    rest.erase(0, cut + 1);
+  }
+  lines.push_back(secular::quoted(rest));
+  return lines;
 }
 
 std::string commented(std::string text) {

@@ -12,9 +12,10 @@ struct GeneratedFile {
   std::string text;
 };
 
-/// The C++ of a model: NAME.hpp with readable functions templated on the scalar, NAME.cpp with the table that the
-/// estimator reads (estimator/model/compiled_model.hpp). Same model, same bytes. Throws InputError for what cannot
-/// be computed from data: excitation clocks without an amplitude, cases without a steady frame.
+/// The C++ of a model: NAME.hpp with its equations of motion and lumps, NAME.CASE.hpp with the rows of each case,
+/// NAME.cpp with the table that the estimator reads (estimator/model/compiled_model.hpp), which includes the
+/// others. Same model, same bytes. Throws InputError for what cannot be computed from data: excitation clocks
+/// without an amplitude, cases without a steady frame.
 std::vector<GeneratedFile> emit_cpp(const CanonicalModel& model);
 
 struct GeneratedUnit {
@@ -22,9 +23,9 @@ struct GeneratedUnit {
   bool often_called = false;  ///< worth a compiler's optimisation
 };
 
-/// The same functions, for Scalar = double, as units that may be compiled at once: NAME_functions.cpp;
-/// NAME_lumps.cpp (where there are cases) with the lumps and their derivatives, which are most of a model's text
-/// and the least of its work; NAME.cpp with the tables, the only one to include headers that take compilers long.
+/// The same functions as units that may be compiled at once: NAME_functions.cpp; NAME_lumps.cpp (where there are
+/// lumps), which are much of a model's text and the least of its work; NAME.cpp with the tables, the only one to
+/// include headers that take compilers long, and what calls the other two.
 std::vector<GeneratedUnit> emit_cpp_units(const CanonicalModel& model);
 
 /// Throws an InputError for equations of motion that no measured signal can drive: cos(Omega*t) without an

@@ -35,9 +35,8 @@ const CompiledModel* find_compiled_model(std::string_view name);
     declarations += fmt::format("namespace {} {{\nextern const CompiledModel model;\n}}\n", space);
     entries += fmt::format("    &{}::model,\n", space);
   }
-  GeneratedFile source{"registry.cpp",
-                       banner + "#include \"generated/registry.hpp\"\n\nnamespace secular::generated {\n\n" +
-                           declarations + R"(
+  GeneratedFile source{"registry.cpp", banner + "#include \"registry.hpp\"\n\nnamespace secular::generated {\n\n" +
+                                           declarations + R"(
 std::span<const CompiledModel* const> compiled_models() {
   static const CompiledModel* const models[] = {
 )" + entries + R"(  };

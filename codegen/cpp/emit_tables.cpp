@@ -1,47 +1,50 @@
 // The tables of estimator/model/compiled_model.hpp.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "codegen/cpp/emitter.hpp"
+#include "codegen/cpp/model_lumps.hpp"
 
 namespace secular {
 namespace {
 
 class TableCode {
  public:
-  explicit TableCode(Emitter& emitter) : model_(emitter.model), code_(emitter.code) {}
+  explicit TableCode(Emitter& emitter) : model_(emitter.model), code_(emitter.code), lumps_(emitter.model) {}
 
   void tables() {
     const auto as_text = [](const std::string& s) { return quoted(s); };
-    code_.line(
-        fmt::format("constexpr std::string_view coordinates[] = {{{}}};", listed(model_.coordinates, as_text)));
+    array("std::string_view coordinates", texts(model_.coordinates, as_text));
     if (!model_.excitations.empty()) {
-      code_.line(
-          fmt::format("constexpr std::string_view excitations[] = {{{}}};", listed(model_.excitations, as_text)));
-      code_.line(fmt::format("constexpr std::string_view excitation_frequencies[] = {{{}}};",
-                             listed(model_.excitation_frequencies, as_text)));
+      array("std::string_view excitations", texts(model_.excitations, as_text));
+      array("std::string_view excitation_frequencies", texts(model_.excitation_frequencies, as_text));
     }
-    std::vector<std::string> symbol_rows;
-    for (std::size_t p = 0; p < model_.parameters.size(); ++p)
-      symbol_rows.push_back(
-          fmt::format("{{{}, {}}},", quoted(model_.parameters[p]),
-                      dimension_table(fmt::format("dimension_{}", p), model_.parameter_dimensions[p])));
+    dimensions();
     code_.line("constexpr CompiledSymbol symbols[] = {");
-    for (const std::string& row : symbol_rows) code_.line(row);
+    for (std::size_t p = 0; p < model_.parameters.size(); ++p)
+      code_.line(fmt::format("{{{}, {}}},", quoted(model_.parameters[p]), named(model_.parameter_dimensions[p])));
     code_.line("};");
-    code_.line(fmt::format("constexpr double nominal[] = {{{}}};",
-                           listed(model_.nominal, [](const std::optional<double>& value) {
-                             return value && std::isfinite(*value) ? fmt::format("{}", *value)
-                                                                   : "std::numeric_limits<double>::quiet_NaN()";
-                           })));
+    array("double nominal", texts(model_.nominal, [](const std::optional<double>& value) {
+            return value && std::isfinite(*value) ? fmt::format("{}", *value)
+                                                  : "std::numeric_limits<double>::quiet_NaN()";
+          }));
     code_.line();
-    for (std::size_t i = 0; i < model_.cases.size(); ++i) case_tables(model_.cases[i], fmt::format("case_{}", i));
+    lump_table();
+    for (std::size_t i = 0; i < model_.cases.size(); ++i) case_tables(i);
     if (model_.cases.empty()) return;
     code_.line("constexpr CompiledCase cases[] = {");
-    for (std::size_t i = 0; i < model_.cases.size(); ++i) case_row(model_.cases[i], fmt::format("case_{}", i));
+    for (std::size_t i = 0; i < model_.cases.size(); ++i) {
+      const CanonicalCase& c = model_.cases[i];
+      code_.list("compiled_case(",
+                 {quoted(c.name), c.excited ? "true" : "false",
+                  c.relations.empty() ? "{}" : fmt::format("case_{}_relations", i),
+                  c.lumps.empty() ? "{}" : fmt::format("case_{}_lumps", i), fmt::format("case_{}", i)},
+                 "),");
+    }
     code_.line("};").line();
   }
 
@@ -65,93 +68,106 @@ class TableCode {
   }
 
  private:
-  std::string ratios(const std::vector<CanonicalRatio>& values) const {
-    std::string text;
-    for (const CanonicalRatio& r : values)
-      text += (text.empty() ? "" : ", ") + fmt::format("{{{}, {}}}", r.numerator, r.denominator);
-    return text;
-  }
-
-  std::string dimension_table(const std::string& name, const CanonicalDimension& dimension) {
-    if (!dimension) return "{}";
-    code_.line(fmt::format("constexpr Ratio {}[] = {{{}}};", name, ratios(*dimension)));
-    return name;
-  }
-
   template <class Values, class Text>
-  static std::string listed(const Values& values, Text text) {
-    std::string result;
-    for (const auto& value : values) result += (result.empty() ? "" : ", ") + text(value);
+  static std::vector<std::string> texts(const Values& values, Text text) {
+    std::vector<std::string> result;
+    for (const auto& value : values) result.push_back(text(value));
     return result;
   }
+  static std::vector<std::string> numbers(const std::vector<int>& values) {
+    return texts(values, [](int n) { return std::to_string(n); });
+  }
+  static std::vector<std::string> ratios(const std::vector<CanonicalRatio>& values) {
+    return texts(values,
+                 [](const CanonicalRatio& r) { return fmt::format("{{{}, {}}}", r.numerator, r.denominator); });
+  }
 
-  void case_tables(const CanonicalCase& c, const std::string& id) {
-    const auto number = [](int n) { return std::to_string(n); };
-    std::vector<int> relations;
-    for (const CanonicalRelation& relation : c.relations)
-      relations.insert(relations.end(), relation.multiples.begin(), relation.multiples.end());
-    if (!relations.empty())
-      code_.line(fmt::format("constexpr int {}_relations[] = {{{}}};", id, listed(relations, number)));
-    std::vector<CanonicalRatio> observed;
-    for (const auto& row : c.observed_frequency) observed.insert(observed.end(), row.begin(), row.end());
-    code_.line(fmt::format("constexpr Ratio {}_observed_frequency[] = {{{}}};", id, ratios(observed)));
-    code_.line(fmt::format("constexpr bool {}_mode_at_rest[] = {{{}}};", id,
-                           listed(c.mode_at_rest, [](bool b) { return std::string(b ? "true" : "false"); })));
-    std::vector<std::string> lump_rows;
-    for (std::size_t l = 0; l < c.lumps.size(); ++l)
-      lump_rows.push_back(fmt::format("{{{}, {}, {}}},", quoted(c.lumps[l].name),
-                                      quoted(formula_text(c.lumps[l].definition, model_.order)),
-                                      dimension_table(fmt::format("{}_lump_{}", id, l), c.lumps[l].dimension)));
-    if (!lump_rows.empty()) {
-      code_.line(fmt::format("constexpr CompiledLump {}_lumps[] = {{", id));
-      for (const std::string& row : lump_rows) code_.line(row);
-      code_.line("};");
-    }
-    for (std::size_t b = 0; b < c.blocks.size(); ++b) {
-      code_.line(fmt::format("constexpr int {}_block_{}_lumps[] = {{{}}};", id, b,
-                             listed(c.blocks[b].columns, [](const CanonicalBlock::Column& column) {
-                               return std::to_string(column.lump);
-                             })));
-      if (!c.blocks[b].modulation)
-        code_.line(
-            fmt::format("constexpr int {}_block_{}_phase[] = {{{}}};", id, b, listed(c.blocks[b].phase, number)));
-    }
-    if (c.blocks.empty()) return void(code_.line());
-    code_.line(fmt::format("constexpr RegressorBlock {}_blocks[] = {{", id));
-    for (std::size_t b = 0; b < c.blocks.size(); ++b) {
-      const BlockPlace place = block_place(model_, c, b);
-      code_.line(fmt::format(
-          "{{BlockKind::{0}, {1}, {2}, {3}, {4}, {5}_block_{6}_lumps, column_function<{7}::columns_{9}, {8}>, "
-          "column_slope_function<{7}::column_slopes_{9}, {8}>}},",
-          c.blocks[b].modulation ? "modulation" : "harmonic", quoted(c.blocks[b].name), c.blocks[b].mode,
-          c.blocks[b].order, c.blocks[b].modulation ? "{}" : fmt::format("{}_block_{}_phase", id, b), id, b,
-          place.space,
-          fmt::format("{}, {}, {}", model_.coordinates.size(), model_.excitations.size(),
-                      c.blocks[b].columns.size()),
-          place.block));
+  // "constexpr int NAME[] = {1, 2};"
+  void array(const std::string& declaration, const std::vector<std::string>& values) {
+    code_.list("constexpr " + declaration + "[] = {", values, "};");
+  }
+
+  // Those that differ, each once.
+  void dimensions() {
+    const auto add = [&](const CanonicalDimension& dimension) {
+      if (!dimension || named(dimension) != "{}") return;
+      dimensions_.push_back(*dimension);
+      array("Ratio " + named(dimension), ratios(*dimension));
+    };
+    for (const CanonicalDimension& dimension : model_.parameter_dimensions) add(dimension);
+    for (const ModelLumps::Lump& lump : lumps_.all()) add(lump.lump->dimension);
+  }
+  std::string named(const CanonicalDimension& dimension) const {
+    const auto place =
+        dimension ? std::find(dimensions_.begin(), dimensions_.end(), *dimension) : dimensions_.end();
+    return place == dimensions_.end() ? "{}" : fmt::format("dimension_{}", place - dimensions_.begin());
+  }
+
+  void lump_table() {
+    if (lumps_.all().empty()) return;
+    code_.line("constexpr CompiledLump lump_table[] = {");
+    for (const ModelLumps::Lump& lump : lumps_.all()) {
+      const std::vector<std::string> definition = quoted_lines(formula_text(lump.lump->definition, model_.order));
+      const std::string open = fmt::format("{{{},", quoted(lump.lump->name));
+      const std::string close = fmt::format(", {}}},", named(lump.lump->dimension));
+      if (definition.size() == 1) {
+        code_.list(open + " ", {definition.front()}, close);
+        continue;
+      }
+      code_.line(open);
+      for (std::size_t i = 0; i < definition.size(); ++i)
+        code_.line(" " + definition[i] + (i + 1 == definition.size() ? close : ""));
     }
     code_.line("};").line();
   }
 
-  void case_row(const CanonicalCase& c, const std::string& id) {
-    code_.line("{");
-    code_.line(fmt::format(".name = {},", quoted(c.name)));
-    code_.line(fmt::format(".excited = {},", c.excited));
-    code_.line(c.relations.empty() ? ".relations = {}," : fmt::format(".relations = {}_relations,", id));
-    code_.line(fmt::format(".observed_frequency = {}_observed_frequency,", id));
-    code_.line(fmt::format(".mode_at_rest = {}_mode_at_rest,", id));
-    code_.line(c.lumps.empty() ? ".lumps = {}," : fmt::format(".lumps = {}_lumps,", id));
-    code_.line(c.blocks.empty() ? ".blocks = {}," : fmt::format(".blocks = {}_blocks,", id));
-    const std::string space = safe_namespace(c.name);
-    for (const char* function : {"evaluate_lumps", "evaluate_lumps_jacobian"})
-      code_.line(fmt::format(".{0} = {1}::{0}<double>,", function, space));
-    code_.line(fmt::format(".modulation = modulation_function<{}::modulation<double>>,", space));
-    code_.line(fmt::format(".modulation_jacobian = jacobian_function<{}::modulation_jacobian<double>>,", space));
-    code_.line("},");
+  void case_tables(std::size_t i) {
+    const CanonicalCase& c = model_.cases[i];
+    const std::string id = fmt::format("case_{}", i), space = safe_namespace(c.name);
+    code_.comment("Case " + c.name + ".", "//");
+    std::vector<int> relations, columns, phases;
+    for (const CanonicalRelation& relation : c.relations)
+      relations.insert(relations.end(), relation.multiples.begin(), relation.multiples.end());
+    for (const CanonicalBlock& block : c.blocks) {
+      for (const CanonicalBlock::Column& column : block.columns) columns.push_back(static_cast<int>(column.lump));
+      if (!block.modulation) phases.insert(phases.end(), block.phase.begin(), block.phase.end());
+    }
+    std::vector<CanonicalRatio> observed;
+    for (const auto& row : c.observed_frequency) observed.insert(observed.end(), row.begin(), row.end());
+    if (!relations.empty()) array("int " + id + "_relations", numbers(relations));
+    array("Ratio " + id + "_observed_frequency", ratios(observed));
+    array("bool " + id + "_mode_at_rest",
+          texts(c.mode_at_rest, [](bool b) { return std::string(b ? "true" : "false"); }));
+    if (!c.lumps.empty()) {
+      array("int " + id + "_lump_numbers", numbers(lumps_.of_case(i)));
+      code_.line(fmt::format("constexpr auto {0}_lumps = chosen_lumps(lump_table, {0}_lump_numbers);", id));
+    }
+    if (!c.blocks.empty()) {
+      code_.line(fmt::format("constexpr BlockTable {}_block_table[] = {{", id));
+      for (const CanonicalBlock& block : c.blocks)
+        code_.line(fmt::format("{{BlockKind::{}, {}, {}, {}, {}}},", block.modulation ? "modulation" : "harmonic",
+                               quoted(block.name), block.mode, block.order, block.columns.size()));
+      code_.line("};");
+      array("int " + id + "_block_lumps", numbers(columns));
+      if (!phases.empty()) array("int " + id + "_phases", numbers(phases));
+      code_.list(fmt::format("constexpr auto {}_blocks = regressor_blocks(", id),
+                 {id + "_block_table", space + "::blocks", id + "_block_lumps",
+                  phases.empty() ? "nullptr" : id + "_phases",
+                  std::to_string(model_.natural_frequencies.size() + model_.excitation_frequencies.size())},
+                 ");");
+    }
+    code_.list(fmt::format("constexpr GeneratedCase {} = {{", id),
+               {c.lumps.empty() ? "nullptr" : "&lump_functions", c.lumps.empty() ? "{}" : id + "_lump_numbers",
+                c.blocks.empty() ? "nullptr" : space + "::blocks", c.blocks.empty() ? "{}" : id + "_blocks",
+                id + "_observed_frequency", id + "_mode_at_rest"},
+               "};");
+    code_.line();
   }
 
   const CanonicalModel& model_;
   CodeText& code_;
+  ModelLumps lumps_;
+  std::vector<std::vector<CanonicalRatio>> dimensions_;
 };
 
 }  // namespace

@@ -52,7 +52,6 @@ std::string MonomialCode::product(const CanonicalPowers& powers, bool& real) {
     add("norm_" + name, pairs, true);
     add(net > 0 ? name : "conj_" + name, std::abs(net), false);
   }
-  products_ += std::max(0, static_cast<int>(factors.size()) - 1);
   return fmt::format("{}", fmt::join(factors, " * "));
 }
 
@@ -65,29 +64,53 @@ bool MonomialCode::uses_forcing(std::size_t excitation) const {
   return forcing_.count(excitation) || forcing_norm_.count(excitation) || forcing_conjugate_.count(excitation);
 }
 
-void MonomialCode::declare(CodeText& code, const std::string& index) const {
-  const auto load = [&](const char* array, std::size_t number) {
-    return index.empty() ? fmt::format("load_complex({}, {})", array, number)
-                         : fmt::format("load_complex({}_{}, {})", array, number, index);
+bool MonomialCode::uses_any() const {
+  return !signals().empty();
+}
+
+std::vector<MonomialCode::Signal> MonomialCode::signals() const {
+  std::vector<Signal> list;
+  const auto add = [&](bool needed, const char* type, const std::string& name, const std::string& value) {
+    if (needed) list.push_back({type, name, value});
   };
   for (std::size_t k = 0; k < model_.coordinates.size(); ++k) {
-    if (!uses_amplitude(k)) continue;
     const std::string name = "A_" + model_.coordinates[k];
     const bool inverse = inverse_modulus_.count(k) || direction_.count(k);
-    code.line(fmt::format("const Complex {} = {};", name, load("amplitude", k)));
-    if (conjugate_.count(k)) code.line(fmt::format("const Complex conj_{0} = conjugate({0});", name));
-    if (norm_.count(k)) code.line(fmt::format("const Scalar norm_{0} = norm_of({0});", name));
-    if (modulus_.count(k) || inverse) code.line(fmt::format("const Scalar abs_{0} = modulus_of({0});", name));
-    if (inverse) code.line(fmt::format("const Scalar inverse_abs_{0} = inverse_or_zero(abs_{0});", name));
-    if (direction_.count(k)) code.line(fmt::format("const Complex unit_{0} = inverse_abs_{0} * {0};", name));
+    add(uses_amplitude(k), "Complex", name, fmt::format("amplitude[{}]", k));
+    add(conjugate_.count(k), "Complex", "conj_" + name, "conjugate(" + name + ")");
+    add(norm_.count(k), "Number", "norm_" + name, "norm_of(" + name + ")");
+    add(modulus_.count(k) || inverse, "Number", "abs_" + name, "modulus_of(" + name + ")");
+    add(inverse, "Number", "inverse_abs_" + name, "inverse_or_zero(abs_" + name + ")");
+    add(direction_.count(k), "Complex", "unit_" + name, fmt::format("inverse_abs_{0} * {0}", name));
   }
   for (std::size_t j = 0; j < model_.excitations.size(); ++j) {
-    if (!uses_forcing(j)) continue;
     const std::string name = safe_identifier(model_.excitations[j]);
-    code.line(fmt::format("const Complex {} = {};", name, load("forcing", j)));
-    if (forcing_conjugate_.count(j)) code.line(fmt::format("const Complex conj_{0} = conjugate({0});", name));
-    if (forcing_norm_.count(j)) code.line(fmt::format("const Scalar norm_{0} = norm_of({0});", name));
+    add(uses_forcing(j), "Complex", name, fmt::format("forcing[{}]", j));
+    add(forcing_conjugate_.count(j), "Complex", "conj_" + name, "conjugate(" + name + ")");
+    add(forcing_norm_.count(j), "Number", "norm_" + name, "norm_of(" + name + ")");
   }
+  return list;
+}
+
+std::vector<std::string> MonomialCode::names() const {
+  std::vector<std::string> result;
+  for (const Signal& signal : signals()) result.push_back(signal.name);
+  return result;
+}
+
+void MonomialCode::declare(CodeText& code) const {
+  std::vector<std::string> given;
+  for (const Signal& signal : signals()) {
+    const bool from_array = signal.value.back() == ']';
+    if (from_array) given.push_back(fmt::format("{}({})", signal.name, signal.value));
+    code.line(from_array ? fmt::format("const {} {};", signal.type, signal.name)
+                         : fmt::format("const {} {} = {};", signal.type, signal.name, signal.value));
+  }
+  code.list(
+      "Signals(const Complex* amplitude, [[maybe_unused]] const Complex* "
+      "forcing)" +
+          std::string(given.empty() ? "" : " : "),
+      given, " {}");
 }
 
 }  // namespace secular

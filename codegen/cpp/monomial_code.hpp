@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "codegen/canonical/canonical_model.hpp"
 #include "codegen/cpp/code_text.hpp"
@@ -15,22 +16,27 @@ class MonomialCode {
  public:
   explicit MonomialCode(const CanonicalModel& model) : model_(model) {}
 
-  /// "norm_A_v * A_v"; notes which local values it needs. `real`: it is a real number.
+  /// "norm_A_v * A_v"; notes which signals it needs. `real`: it is a real number.
   std::string product(const CanonicalPowers& powers, bool& real);
-  /// Products of two numbers written so far.
-  int products() const { return products_; }
+  bool uses_excitation() const {
+    return !forcing_.empty() || !forcing_norm_.empty() || !forcing_conjugate_.empty();
+  }
+  bool uses_any() const;
 
-  /// The amplitude itself is needed, whatever products use.
-  void use_amplitude(std::size_t mode) { amplitude_.insert(mode); }
-  bool uses_amplitude(std::size_t mode) const;
-  bool uses_forcing(std::size_t excitation) const;
-  /// Declares the local values from arrays of (real, imaginary) pairs: "load_complex(ARRAY, INDEX)", where the
-  /// amplitude of mode k is at `index` of `amplitude[k]`, or at index k of `amplitude` where `index` is empty.
-  void declare(CodeText& code, const std::string& index) const;
+  /// Names of the signals that products so far need and are made of, dependencies first.
+  std::vector<std::string> names() const;
+  /// Their declarations as members made of arrays `amplitude` and `forcing`.
+  void declare(CodeText& code) const;
 
  private:
+  struct Signal {
+    std::string type, name, value;
+  };
+  std::vector<Signal> signals() const;
+  bool uses_amplitude(std::size_t mode) const;
+  bool uses_forcing(std::size_t excitation) const;
+
   const CanonicalModel& model_;
-  int products_ = 0;
   std::set<std::size_t> amplitude_, conjugate_, norm_, modulus_, inverse_modulus_, direction_;
   std::set<std::size_t> forcing_, forcing_conjugate_, forcing_norm_;
 };

@@ -37,21 +37,14 @@ std::string CppWriter::polynomial(const std::vector<PolynomialTerm>& terms, bool
     const bool negative = term.coefficient.front() == '-';
     text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
     std::string product;
-    if (!is_one(term.coefficient)) product = fmt::format("{}({}.0)", scalar_, magnitude(term.coefficient));
+    if (!is_one(term.coefficient)) product = magnitude(term.coefficient) + ".0";
     for (std::size_t i = 0; i < term.exponents.size(); ++i) {
       if (term.exponents[i] == 0) continue;
-      if (!product.empty()) ++operations_;
       product += (product.empty() ? "" : " * ") + power(i, term.exponents[i]);
     }
-    text += product.empty() ? fmt::format("{}({}.0)", scalar_, magnitude(term.coefficient)) : product;
+    text += product.empty() ? magnitude(term.coefficient) + ".0" : product;
   }
-  operations_ += static_cast<int>(terms.size()) - 1;
   return text;
-}
-
-std::string CppWriter::sum_of(const std::vector<PolynomialTerm>& terms) {
-  bool single = false;
-  return polynomial(terms, single);
 }
 
 std::size_t CppWriter::number_of(const std::shared_ptr<const std::vector<PolynomialTerm>>& divisor) {
@@ -59,7 +52,6 @@ std::size_t CppWriter::number_of(const std::shared_ptr<const std::vector<Polynom
   if (added) {
     bool single = false;
     divisors_.push_back({divisor, polynomial(*divisor, single)});
-    ++operations_;
   }
   return known->second;
 }
@@ -70,9 +62,13 @@ std::string CppWriter::divided_by(const std::vector<DivisorPower>& divisors) {
     const std::size_t number = number_of(sum);
     divisors_[number].highest_power = std::max(divisors_[number].highest_power, power);
     text += fmt::format(" * per_{}{}", number, power == 1 ? "" : "_" + std::to_string(power));
-    ++operations_;
   }
-  return text;
+  if (divisors.size() < 2) return text;
+  const std::string product = text.substr(3);
+  const auto known = std::find(products_.begin(), products_.end(), product);
+  const auto number = static_cast<std::size_t>(known - products_.begin());
+  if (known == products_.end()) products_.push_back(product);
+  return fmt::format(" * over_{}", number);
 }
 
 // numerator * inverse divisors / denominator; a sign before a single product is drawn out.
@@ -84,7 +80,7 @@ std::string CppWriter::fraction(const Fraction& part, bool& negative) {
   if (part.is_plain()) return above;
   if (!single) above = "(" + above + ")";
   const std::string inverses = divided_by(part.divisors);
-  if (above == scalar_ + "(1.0)" && !inverses.empty())
+  if (above == "1.0" && !inverses.empty())
     above = inverses.substr(3);
   else
     above += inverses;
@@ -92,17 +88,15 @@ std::string CppWriter::fraction(const Fraction& part, bool& negative) {
   bool single_below = false;
   std::string below = polynomial(part.denominator, single_below);
   if (!single_below || below.find(' ') != std::string::npos) below = "(" + below + ")";
-  ++operations_;
   return above + " / " + below;
 }
 
 std::string CppWriter::expression(const RationalFunction& value) {
-  if (value.is_zero()) return scalar_ + "(0.0)";
+  if (value.is_zero()) return "0.0";
   std::string text;
   for (const Fraction& part : fractions(value)) {
     bool negative = false;
     const std::string one = fraction(part, negative);
-    if (!text.empty()) ++operations_;
     text += (text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ")) + one;
   }
   return text;
@@ -117,9 +111,11 @@ std::vector<std::string> CppWriter::definitions() const {
   };
   for (std::size_t i = 0; i < order_.size(); ++i) powers(safe_identifier(order_[i]), highest_power_[i]);
   for (std::size_t d = 0; d < divisors_.size(); ++d) {
-    lines.push_back(fmt::format("const {0} per_{1} = {0}(1.0) / ({2});", scalar_, d, divisors_[d].text));
+    lines.push_back(fmt::format("const {0} per_{1} = 1.0 / ({2});", scalar_, d, divisors_[d].text));
     powers(fmt::format("per_{}", d), divisors_[d].highest_power);
   }
+  for (std::size_t p = 0; p < products_.size(); ++p)
+    lines.push_back(fmt::format("const {} over_{} = {};", scalar_, p, products_[p]));
   return lines;
 }
 

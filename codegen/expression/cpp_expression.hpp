@@ -9,26 +9,20 @@
 
 namespace secular {
 
-/// Writes rational functions as C++ (or as readable text), sharing powers and divisors: omega0^3 becomes the
-/// temporary omega0_3, 1/(omega1 - 2*omega2) the temporary per_0, its square per_0_2.
+/// Writes rational functions as C++, sharing powers and divisors: omega0^3 becomes omega0_3, 1/(omega1 - 2*omega2)
+/// per_0, its square per_0_2, a product of several such over_0. `scalar`: their type.
 class CppWriter {
  public:
   CppWriter(SymbolOrder order, std::string scalar);
 
   /// The expression in C++. Powers above one and divisors are asked for as temporaries, see definitions().
   std::string expression(const RationalFunction& value);
-  /// "a * per_0_2 * b / c" for a single term.
-  std::string divided_by(const std::vector<DivisorPower>& divisors);
   /// The number of a divisor, which makes its name: per_0.
   std::size_t number_of(const std::shared_ptr<const std::vector<PolynomialTerm>>& divisor);
-  /// A polynomial, "a * b - 2.0 * c".
-  std::string sum_of(const std::vector<PolynomialTerm>& terms);
   /// Declarations of every temporary that expressions so far need, one a line, dependencies first.
   std::vector<std::string> definitions() const;
   /// Symbols that expressions used, in declared order.
   std::vector<std::string> used_symbols() const;
-  /// Multiplications, divisions and additions of everything written so far.
-  int operations() const { return operations_; }
 
  private:
   struct Divisor {
@@ -43,13 +37,14 @@ class CppWriter {
   std::string power(std::size_t symbol, int exponent);
   std::string polynomial(const std::vector<PolynomialTerm>& terms, bool& single);
   std::string fraction(const Fraction& part, bool& negative);
+  std::string divided_by(const std::vector<DivisorPower>& divisors);
 
   SymbolOrder order_;
   std::string scalar_;
   std::vector<int> highest_power_;
   std::vector<Divisor> divisors_;
+  std::vector<std::string> products_;  ///< of inverse divisors
   std::map<Before::Sum, std::size_t, Before> number_of_;
-  int operations_ = 0;
 };
 
 /// A local variable's name for a model's symbol: the symbol itself, or s_NAME_s where C++, a macro or the generated

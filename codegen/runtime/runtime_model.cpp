@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* needed_headers[] = {"estimator/model/compiled_model.hpp",
                                           "estimator/model/model_function.hpp",
+                                          "estimator/model/pair_number.hpp",
                                           "estimator/model/batch_arrays.hpp",
+                                          "estimator/model/block_functions.hpp",
                                           "estimator/model/complex_number.hpp",
                                           "estimator/model/dense_solve.hpp",
                                           "estimator/model/dual_number.hpp",
@@ -28,6 +30,7 @@ constexpr const char* needed_headers[] = {"estimator/model/compiled_model.hpp",
                                           "estimator/model/integer_power.hpp",
                                           "estimator/model/lane_functions.hpp",
                                           "estimator/model/lanes.hpp",
+                                          "estimator/model/lump_functions.hpp",
                                           "estimator/model/scalar_functions.hpp",
                                           "estimator/model/smooth_functions.hpp"};
 

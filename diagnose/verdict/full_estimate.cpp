@@ -62,7 +62,18 @@ struct Attempt {
   DiagnosisOptions options;
   ForeignContent foreign;
   RowsLeft left;
-  bool has_converged() const { return fitted.inference.null.fit.ending == SolverEnding::converged; }
+  std::size_t symbols = 0;  // of the model, which come first among the unknowns
+  // Where nothing that was measured depends on any number of the model, there is no place to come to an end at.
+  bool has_converged() const {
+    const Refit& fit = fitted.inference.null.fit;
+    std::size_t fitted_symbols = 0, seen = 0;
+    for (std::size_t i = 0; i < fit.free.size(); ++i)
+      if (fit.free[i] < symbols) {
+        ++fitted_symbols;
+        if (fit.identifiable[i]) ++seen;
+      }
+    return fit.ending == SolverEnding::converged && (fitted_symbols == 0 || seen > 0);
+  }
   bool suffices() const { return has_converged() && !is_more_than_noise(left); }
 };
 
@@ -93,7 +104,7 @@ Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const s
     if (holds_beside_foreign_content(left, fit_beside, sides.campaign, foreign, options))
       fitted = std::move(*beside);
   }
-  Attempt at_rest{std::move(fitted), std::move(options), std::move(foreign), {}};
+  Attempt at_rest{std::move(fitted), std::move(options), std::move(foreign), {}, sides.model.symbols.size()};
   bring_to_rest(at_rest);
   return at_rest;
 }
@@ -410,6 +421,7 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   if (keeps_segments && whole->has_converged()) judged = {whole->left, gap_of(*whole)};
   FullEstimate result;
   result.has_converged = best.has_converged();
+  result.noise_misjudged = judged.gap.noise_misjudged;
   result.conditions = comparison.conditions.size() + comparison.segments;
   result.data_used = comparison.data_used;
   result.labels = comparison.discrepancy.labels();

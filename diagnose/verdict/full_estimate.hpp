@@ -25,7 +25,8 @@ struct ComparedStretch {
 struct FullEstimate {
   /// One parameter for every symbol of the model, lack_of_fit of all rows together; no lumps, no cases.
   Estimate estimate;
-  bool has_converged = false;  ///< else no parameter has a value
+  bool has_converged = false;    ///< else no parameter has a value
+  bool noise_misjudged = false;  ///< the rows scatter far less than the repeatability that they are measured in
   std::vector<Disturbance> disturbances;
   std::set<std::size_t> records;  ///< that the numbers rest on
   std::size_t conditions = 0;     ///< dwells, and segments of the other records

@@ -127,7 +127,7 @@ struct CompiledModel {
 /// Number of this interface: its version, and the sizes that a compiler or a standard library may choose otherwise.
 /// A shared object of generated code is taken only if both sides compute the same.
 constexpr std::uint64_t compiled_model_abi() {
-  std::uint64_t number = 4;
+  std::uint64_t number = 5;
   for (const std::size_t size :
        {sizeof(CompiledModel), sizeof(CompiledCase), sizeof(RegressorBlock), sizeof(CompiledLump),
         sizeof(CompiledSymbol), sizeof(Ratio), sizeof(ObservationBatch), sizeof(ExcitationSample),

@@ -6,6 +6,11 @@
 
 namespace secular {
 
+template <class Scalar>
+inline constexpr bool is_double = false;
+template <>
+inline constexpr bool is_double<double> = true;
+
 /// real + i*imag over any scalar, by textbook arithmetic. std::complex<double> multiplies with a test for NaN and a
 /// call behind it, which keeps compilers from vector code, and takes no other scalars than floating-point numbers;
 /// this one also takes complex steps and dual numbers for real and imaginary part each.
@@ -20,6 +25,9 @@ struct ComplexNumber {
     return ComplexNumber(a.real * b.real - a.imag * b.imag, a.real * b.imag + a.imag * b.real);
   }
   friend constexpr ComplexNumber operator*(const Scalar& a, const ComplexNumber& b) {
+    return ComplexNumber(a * b.real, a * b.imag);
+  }
+  friend constexpr ComplexNumber operator*(double a, const ComplexNumber& b) requires(!is_double<Scalar>) {
     return ComplexNumber(a * b.real, a * b.imag);
   }
   friend constexpr ComplexNumber operator*(const ComplexNumber& a, const Scalar& b) {

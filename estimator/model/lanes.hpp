@@ -12,7 +12,7 @@ class Lanes {
   static constexpr std::size_t count = 8;
 
   Lanes() : Lanes(0.0) {}
-  explicit Lanes(double x) : Lanes(Pair{x, x}, Pair{x, x}, Pair{x, x}, Pair{x, x}) {}
+  Lanes(double x) : Lanes(Pair{x, x}, Pair{x, x}, Pair{x, x}, Pair{x, x}) {}  // NOLINT: the same in all lanes
 
   /// value(lane) of every lane.
   template <class Value>

@@ -1,7 +1,7 @@
 #pragma once
 
 /// What generated code needs of its scalar besides arithmetic, for double, for std::complex<double> as complex-step
-/// differentiation uses it (x + i*h, h tiny), and for DualNumber. Non-smooth functions are those of the real part;
+/// differentiation uses it (x + i*h, h tiny). Non-smooth functions are those of the real part;
 /// their derivatives are the classical ones on either side, zero where the argument is zero.
 namespace secular {
 

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "jobs/shared/disturbance_output.hpp"
 #include "jobs/shared/record_figure.hpp"
 #include "numerics/hertz.hpp"
+#include "report/cell_map.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -22,6 +26,14 @@ using report::SeriesRole;
 using report::SeriesStyle;
 using report::Table;
 using report::Tone;
+
+/// Of the ranking.
+constexpr std::size_t most_causes = 10;
+
+/// A probability that rounding takes to zero is said to be small, not none.
+std::string p_text(double p) {
+  return p < 1e-15 ? "p < 1e-15" : fmt::format("p = {:.2g}", p);
+}
 
 std::string spaced(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -107,22 +119,33 @@ Figure residual_figure(const Diagnosis& d, const std::string& mode, const std::s
     after.name = "best explanation added";
     after.role = SeriesRole::held_out;
     before.style = after.style = SeriesStyle::points;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
     for (std::size_t r = 0; r < d.labels.size(); ++r) {
       const RowLabel& label = d.labels[r];
       if (!label.balance || label.place != mode || label.component != component) continue;
       const auto i = static_cast<Eigen::Index>(r);
       before.x.push_back(2 * label.amplitude);
       after.x.push_back(2 * label.amplitude);
+      lowest = std::min(lowest, 2 * label.amplitude);
+      highest = std::max(highest, 2 * label.amplitude);
       before.y.push_back(d.rows_before(i));
       after.y.push_back(d.rows_after(i));
     }
     if (before.x.empty()) continue;
     const bool stiff = component == EffectComponent::conservative;
-    std::vector<Series> series = {before};
+    const Series noise{"95 % of noise alone",
+                       SeriesStyle::band,
+                       SeriesRole::reference,
+                       {lowest, highest},
+                       {0, 0},
+                       {1.96, 1.96},
+                       {}};
+    std::vector<Series> series = {noise, before};
     if (d.gap.detected) series.push_back(after);
     figure.panels.push_back({stiff ? "in phase: stiffness and inertia" : "in quadrature: damping",
                              {"Discrepancy", "sd", false, {}},
-                             series});
+                             series,
+                             true});
   }
   return figure;
 }
@@ -137,6 +160,43 @@ std::vector<std::string> balanced_modes(const Diagnosis& d) {
     if (label.balance && std::find(modes.begin(), modes.end(), label.place) == modes.end())
       modes.push_back(label.place);
   return modes;
+}
+
+// Root mean squares of the rows with the model as it is: by what they are of, and by the amplitude there.
+std::optional<report::CellMap> gap_map(const Diagnosis& d, const std::string& unit) {
+  constexpr std::size_t parts = 6;
+  double largest = 0;
+  for (const RowLabel& label : d.labels)
+    if (label.balance) largest = std::max(largest, 2 * label.amplitude);
+  if (!(largest > 0)) return std::nullopt;
+  report::CellMap map;
+  map.title = "Where the gap is";
+  map.values_are = "Root mean square of what the model leaves, in standard deviations; one is noise alone";
+  map.columns_are =
+      "Peak amplitude up to" + (unit.empty() ? std::string() : " (" + report::pretty_unit(unit) + ")");
+  for (std::size_t c = 1; c <= parts; ++c)
+    map.columns.push_back(report::format_number(largest * static_cast<double>(c) / parts, 2));
+  std::vector<std::vector<std::pair<double, double>>> sums;  // of squares, and how many
+  for (std::size_t r = 0; r < d.labels.size(); ++r) {
+    const RowLabel& label = d.labels[r];
+    if (!label.balance) continue;
+    const std::string name = label.place + ", " + spaced(to_string(label.component)) + ", " + label.harmonic;
+    const auto known = std::find(map.rows.begin(), map.rows.end(), name);
+    const auto row = static_cast<std::size_t>(known - map.rows.begin());
+    if (known == map.rows.end()) {
+      map.rows.push_back(name);
+      sums.emplace_back(parts);
+    }
+    const auto part = static_cast<std::size_t>(2 * label.amplitude / largest * parts);
+    auto& [square, count] = sums[row][std::min(part, parts - 1)];
+    square += std::pow(d.rows_before(static_cast<Eigen::Index>(r)), 2);
+    ++count;
+  }
+  for (const auto& row : sums) {
+    map.values.emplace_back();
+    for (const auto& [square, count] : row) map.values.back().push_back(std::sqrt(square / count));
+  }
+  return map;
 }
 
 void where_section(HtmlReport& page, const DiagnosisRun& run) {
@@ -160,12 +220,17 @@ void where_section(HtmlReport& page, const DiagnosisRun& run) {
     table.caption = "Shares of the gap";
     page.table(table);
   }
+  if (const std::optional<report::CellMap> map = gap_map(d, run.coordinate_unit))
+    page.drawing(report::cell_map(*map), map->title,
+                 "Each row is one line of an equation of motion: its part in phase (stiffness and inertia) or in "
+                 "quadrature (damping); columns are six parts of the amplitudes. The darker, the farther model and "
+                 "measurement are apart.");
   for (const std::string& mode : balanced_modes(d)) {
-    const Figure figure = residual_figure(d, mode, "");
+    const Figure figure = residual_figure(d, mode, run.coordinate_unit);
     if (!figure.panels.empty())
       page.figure(figure,
-                  "Each point is one condition (a dwell, or a stretch of a decay). Noise alone stays within two "
-                  "or three.");
+                  "Each point is one condition (a dwell, or a stretch of a decay), in units of its own standard "
+                  "deviation: noise alone leaves 95 % of them in the band.");
   }
   const bool several = std::any_of(d.labels.begin(), d.labels.end(), [&](const RowLabel& label) {
     return label.fold >= 0 && label.record != d.labels.front().record;
@@ -176,16 +241,37 @@ void where_section(HtmlReport& page, const DiagnosisRun& run) {
                 "channel. One is what repeatability leaves.");
 }
 
+void add_ranking(HtmlReport& page, const Diagnosis& d) {
+  report::ShareBars bars;
+  bars.title = "Candidates by rank";
+  bars.names = {"probability"};
+  if (std::any_of(d.causes.begin(), d.causes.end(),
+                  [](const CauseReport& cause) { return cause.closed.has_value(); }))
+    bars.names.emplace_back("of the gap closed by it alone");
+  for (const CauseReport& cause : d.causes) {
+    if (bars.rows.size() == most_causes) break;
+    bars.rows.push_back(spaced(cause.effect) + (cause.subject.empty() ? "" : ", " + cause.subject));
+    bars.values.push_back({cause.probability});
+    if (bars.names.size() > 1) bars.values.back().push_back(cause.closed.value_or(std::nan("")));
+  }
+  page.drawing(
+      report::share_bars(bars), bars.title,
+      "Probability that an effect is part of what acts, over all explanations that hold it: several can be "
+      "near 100 % together. A bar of what it closes is there for the first few alone, on conditions that the "
+      "fit had not seen.");
+}
+
 void which_section(HtmlReport& page, const Diagnosis& d) {
   if (d.causes.empty()) return;
   page.section("Which");
+  add_ranking(page, d);
   Table table;
   table.columns = {{"Effect", Column::Kind::text, ""},        {"Of", Column::Kind::text, ""},
                    {"Probability", Column::Kind::number, ""}, {"Coefficient", Column::Kind::text, ""},
                    {"Value", Column::Kind::number, ""},       {"Closes alone", Column::Kind::number, ""}};
   std::size_t shown = 0;
   for (const CauseReport& cause : d.causes) {
-    if (++shown > 10) break;
+    if (++shown > most_causes) break;
     const bool in_set = std::find(d.set.begin(), d.set.end(), cause.effect) != d.set.end() ||
                         std::find(d.together.begin(), d.together.end(), cause.effect) != d.together.end();
     table.rows.push_back(
@@ -308,9 +394,10 @@ void next_section(HtmlReport& page, const DiagnosisRun& run) {
 
 }  // namespace
 
-report::Figure gap_figure(const Diagnosis& d) {
+report::Figure gap_figure(const DiagnosisRun& run) {
+  const Diagnosis& d = run.diagnosis;
   const std::vector<std::string> modes = balanced_modes(d);
-  return modes.empty() ? figure_of_records(d) : residual_figure(d, modes.front(), "");
+  return modes.empty() ? figure_of_records(d) : residual_figure(d, modes.front(), run.coordinate_unit);
 }
 
 std::string open_law_sentence(const OpenLaw& law) {
@@ -328,20 +415,17 @@ std::string diagnosis_report(const DiagnosisRun& run, const std::string& command
   const Diagnosis& d = run.diagnosis;
   HtmlReport page("Diagnosis of " + run.campaign.name,
                   "model " + std::string(run.model->name) + ", " + std::to_string(d.conditions) + " conditions");
-  page.card({"Verdict", verdict_text(d), "",
-             d.verdict == "no_gap"    ? Tone::good
-             : d.verdict == "unknown" ? Tone::bad
-                                      : Tone::caution});
+  const Tone tone = d.verdict == "no_gap" ? Tone::good : d.verdict == "unknown" ? Tone::bad : Tone::caution;
+  page.verdict(sentence(d), tone);
+  page.card({"Verdict", verdict_text(d), "", tone});
   page.card({"Gap", report::format_number(d.gap.before, 3) + " × repeatability",
-             fmt::format("p = {:.2g}", d.gap.p_value), d.gap.detected ? Tone::caution : Tone::good});
+             p_text(d.gap.p_value), d.gap.detected ? Tone::caution : Tone::good});
   if (d.gap.detected)
     page.card({"Closed", report::format_percent(d.gap.closed),
                "95 % interval " + report::format_percent(d.gap.closed_low) + " to " +
                    report::format_percent(d.gap.closed_high),
                d.gap.closed > 0.9 ? Tone::good : Tone::caution});
   for (const std::string& warning : d.warnings) page.warn(warning);
-  page.section("Result");
-  page.paragraph(sentence(d));
   where_section(page, run);
   which_section(page, d);
   closing_section(page, d);

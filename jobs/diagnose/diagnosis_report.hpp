@@ -18,6 +18,6 @@ std::string misjudged_noise_sentence();
 
 /// What the first mode's equation of motion leaves, in phase and in quadrature, against the amplitude: with the
 /// model as it is and with the best explanation added.
-report::Figure gap_figure(const Diagnosis& diagnosis);
+report::Figure gap_figure(const DiagnosisRun& run);
 
 }  // namespace secular

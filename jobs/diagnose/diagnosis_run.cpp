@@ -14,6 +14,7 @@
 #include "jobs/shared/parameter_file.hpp"
 #include "jobs/shared/record_selection.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
+#include "measure/observe/modal_projection.hpp"
 
 namespace secular {
 namespace {
@@ -140,6 +141,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& camp
   if (!steps.decays_warning.empty()) warnings.push_back(std::move(steps.decays_warning));
   for (std::string& warning : reader.warnings()) warnings.push_back(std::move(warning));
   if (!steps.blows_warning.empty()) warnings.push_back(std::move(steps.blows_warning));
+  run.coordinate_unit = modal_projection(run.campaign, *run.model).unit;
   run.disturbances = std::move(steps.disturbances);
   run.looked_at = watch.records();
   run.mostly_left_out = mostly_left_out(warnings, run.campaign, records_within(run.campaign, request.window), {});

@@ -36,6 +36,7 @@ struct DiagnosisRun {
   Campaign campaign;
   std::shared_ptr<const CompiledModel> model;  ///< with all effects that it was tried with
   Diagnosis diagnosis;
+  std::string coordinate_unit;                 ///< of the modes' displacements
   std::vector<Disturbance> disturbances;       ///< in the records that were read
   std::size_t looked_at = 0;                   ///< records
   std::optional<std::string> mostly_left_out;  ///< see mostly_left_out()

@@ -276,6 +276,7 @@ std::string estimate_json(const Identification& identification) {
   Json& quality = result["quality"];
   quality["observations"] = full.conditions;
   quality["converged"] = full.has_converged;
+  if (full.noise_misjudged) quality["noise"] = "misjudged";
   quality["data_used"] = full.data_used;
   quality["records"] = records_in_words(identification.campaign, full.records);
   return result.dump(2) + "\n";

@@ -6,8 +6,10 @@
 
 #include "jobs/identify/estimate_tables.hpp"
 #include "jobs/identify/full_equations.hpp"
+#include "jobs/identify/verdict_sentence.hpp"
 #include "jobs/shared/disturbance_output.hpp"
 #include "jobs/shared/record_figure.hpp"
+#include "jobs/shared/residual_whiteness.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -38,8 +40,19 @@ Figure stretch_figure(const ComparedStretch& stretch, const Campaign& campaign) 
   figure.title = channel.name + " in " + campaign.records[stretch.record].file;
   figure.x = {"Time", "s", false, {}};
   figure.panels.push_back({"", {channel.name, channel.unit, false, {}}, {measured, computed}});
-  figure.panels.push_back({"", {"Left", channel.unit, false, {}}, {left}});
+  figure.panels.push_back({"", {"Measured minus computed", channel.unit, false, {}}, {left}, true});
   return figure;
+}
+
+void add_stretch(report::HtmlReport& page, const ComparedStretch& stretch, const Campaign& campaign) {
+  page.figure(
+      stretch_figure(stretch, campaign),
+      fmt::format("The stretch of the record in which the motion is largest, and the full equations from the "
+                  "state at its beginning. Fit: {}.",
+                  report::format_percent(share_fitted(stretch.measured, stretch.computed))));
+  std::vector<double> left = stretch.measured;
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] -= stretch.computed[i];
+  add_whiteness(page, left, stretch.sample_s);
 }
 
 }  // namespace
@@ -56,12 +69,21 @@ std::string full_report(const Identification& id, const std::string& command) {
       "Identification of " + std::string(id.model->name),
       "Campaign " + id.campaign.name + ", by the full equations: " + records_in_words(id.campaign, full.records));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
-  add_cards(page, id.estimate);
+  if (full.has_converged && full.noise_misjudged)
+    page.verdict("The noise is misjudged: what the fit leaves says nothing of the model.", report::Tone::caution);
+  else if (full.has_converged)
+    page.verdict(verdict_sentence(id.estimate), verdict_tone(id.estimate));
+  else
+    page.verdict("The fit did not come to an end: there are no numbers.", report::Tone::bad);
+  add_cards(page, id.estimate, natural_frequencies(*id.model));
   if (full.has_converged) {
     const LackOfFit& fit = id.estimate.lack_of_fit.front().equations.front();
     page.card({"Fit of all records", report::format_number(fit.misfit_ratio, 3) + " times repeatability",
-               fmt::format("p = {:.2g}{}", fit.p_value, fit.significant ? ", the model does not hold" : ""),
-               fit.significant ? report::Tone::caution : report::Tone::good});
+               fmt::format("p {}{}", fit.p_value < 1e-15 ? "< 1e-15" : fmt::format("= {:.2g}", fit.p_value),
+                           full.noise_misjudged ? ": the noise is misjudged, and nothing is said of the model"
+                           : fit.significant    ? ", the model does not hold"
+                                                : ""),
+               fit.significant || full.noise_misjudged ? report::Tone::caution : report::Tone::good});
   }
   page.section("Parameters");
   page.paragraph(full.has_converged
@@ -70,14 +92,14 @@ std::string full_report(const Identification& id, const std::string& command) {
                        "parameter that is \"not identifiable\" moves nothing that was measured, or only together "
                        "with those it is entangled with."
                      : "The fit did not come to an end: there are no numbers.");
-  add_values(page, id.estimate, false);
+  add_values(page, id.estimate, false, natural_frequencies(*id.model));
+  add_pairs(page, id.estimate, natural_frequencies(*id.model));
   page.section("Measured and computed");
   for (std::size_t i = 0; i < std::min(most_stretches, full.stretches.size()); ++i)
-    page.figure(stretch_figure(full.stretches[i], id.campaign),
-                "The stretch of the record in which the motion is largest, and the full equations from the state "
-                "at its beginning.");
-  page.figure(record_figure(full.labels, full.rows),
-              "All rows of a record together. One is what repeatability leaves.");
+    add_stretch(page, full.stretches[i], id.campaign);
+  if (full.records.size() > 1)
+    page.figure(record_figure(full.labels, full.rows),
+                "All rows of a record together. One is what repeatability leaves.");
   if (!id.disturbances.empty()) page.section("Disturbances");
   add_disturbances(page, id.disturbances, id.campaign);
   add_null_directions(page, id.estimate);

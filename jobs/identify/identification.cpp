@@ -58,6 +58,24 @@ Identification identify_by_modulation(const IdentificationRequest& request, cons
   return result;
 }
 
+namespace {
+
+/// Decays that are followed.
+constexpr std::size_t most_followed = 3;
+
+/// What the full equations make of a decay: where it was held out, and in one piece where it was fitted.
+void take_decay(const IdentificationRequest& request, const RecordReader& read, std::size_t record,
+                const ObservationSet& set, Identification& result) {
+  const Eigen::VectorXd& parameters = result.estimate.parameter_values;
+  if (auto prediction = predict_held_out_decay(result.campaign, read, set, record, parameters, request.window))
+    result.held_out.push_back(std::move(*prediction));
+  if (result.followed.size() == most_followed) return;
+  if (auto followed = follow_decay(result.campaign, read, set, record, parameters))
+    result.followed.push_back(std::move(*followed));
+}
+
+}  // namespace
+
 Identification identify_by_modulation(const IdentificationRequest& request, const Campaign& measured,
                                       const RecordReader& read) {
   Identification result;
@@ -90,10 +108,7 @@ Identification identify_by_modulation(const IdentificationRequest& request, cons
   try {
     for (const ObservationSet& set : result.measured)
       if (!set.resonance->excited && model.modes() == 1)
-        for (std::size_t r = 0; r < campaign.records.size(); ++r)
-          if (auto prediction =
-                  predict_held_out_decay(campaign, read, set, r, result.estimate.parameter_values, request.window))
-            result.held_out.push_back(std::move(*prediction));
+        for (std::size_t r = 0; r < campaign.records.size(); ++r) take_decay(request, read, r, set, result);
   } catch (const NumericalFailure& failure) {
     result.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + failure.what() +
                                        ")");

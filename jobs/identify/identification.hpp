@@ -59,6 +59,8 @@ struct Identification {
   std::optional<FullEstimate> full;
   std::vector<FollowingEstimate> following;  ///< where all that they follow from is estimated
   std::vector<HeldOutPrediction> held_out;
+  /// The first few decays of one mode in one piece, over what was fitted: for reports.
+  std::vector<HeldOutPrediction> followed;
   std::vector<CaseLateness> lateness;  ///< by case whose records are out of step with their excitation
   /// By case: what free phases made of its records, whether or not its equations hold then.
   std::vector<CaseLateness> freed;

@@ -4,17 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <map>
 #include <numbers>
 #include <utility>
 
+#include "jobs/identify/case_view.hpp"
+#include "jobs/identify/decay_figures.hpp"
+#include "jobs/identify/dwell_figures.hpp"
 #include "jobs/identify/estimate_tables.hpp"
 #include "jobs/identify/full_report.hpp"
 #include "jobs/identify/scatter_output.hpp"
+#include "jobs/identify/verdict_sentence.hpp"
 #include "jobs/shared/disturbance_output.hpp"
-#include "measure/observe/mode_frequencies.hpp"
-#include "numerics/hertz.hpp"
+#include "jobs/shared/residual_whiteness.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -30,239 +31,6 @@ using report::SeriesRole;
 using report::SeriesStyle;
 using report::Table;
 using report::Tone;
-
-// Ensembles of one condition: mean and scatter of the peak amplitude of the first active mode.
-struct Condition {
-  std::string group;
-  double frequency_hz = 0, amplitude = 0, amplitude_sd = 0, forcing = 0;
-  double model_amplitude = 0, phase_difference = 0;  // against the replayed motion; 0 where there is none
-};
-
-// One case of an identification, for its figures.
-struct CaseView {
-  const CompiledModel* model;
-  const CompiledCase* resonance;
-  const Campaign& campaign;
-  const ObservationSet &measured, &replayed;
-  const std::string& coordinate_unit;
-  ModeFrequencies modes;
-};
-
-CaseView view_of(const Identification& id, std::size_t c) {
-  return {id.model.get(),
-          id.measured[c].resonance,
-          id.campaign,
-          id.measured[c],
-          id.replayed[c],
-          id.coordinate_unit,
-          mode_frequencies(*id.model, *id.measured[c].resonance)};
-}
-
-std::size_t first_mode(const CaseView& id) {
-  for (std::size_t k = 0; k < id.model->modes(); ++k)
-    if (id.modes.oscillates[k]) return k;
-  return 0;
-}
-
-// Modes of a decay that ring in some of its windows.
-std::vector<std::size_t> modes_seen(const CaseView& id) {
-  std::vector<std::size_t> seen;
-  for (std::size_t k = 0; k < id.model->modes(); ++k)
-    if (id.modes.oscillates[k] && std::any_of(id.measured.observations.begin(), id.measured.observations.end(),
-                                              [&](const Observation& o) { return o.growth_sd[k] >= 0; }))
-      seen.push_back(k);
-  return seen;
-}
-
-// Phase of the response against the excitation, and the turn after which it repeats. Locked modes: the response's
-// phase minus its share of the excitation's (half in a 2:1 lock, ambiguous by half a turn of the excitation). Two
-// modes with a free frequency: gamma = arg(F conj(A1) conj(A2)).
-struct RelativePhase {
-  double phase = 0, turn = 0;
-};
-RelativePhase relative_phase(const CaseView& id, const Observation& o) {
-  const std::size_t mode = first_mode(id);
-  if (!id.modes.free.empty()) {
-    std::complex<double> product = o.forcing[0];
-    for (std::size_t k = 0; k < id.model->modes(); ++k)
-      if (id.modes.oscillates[k]) product *= std::conj(o.amplitude[k]);
-    return {std::arg(product), two_pi};
-  }
-  const double ratio = o.rate[mode].imag() / o.excitation_frequency[0];
-  return {std::arg(o.amplitude[mode]) - ratio * std::arg(o.forcing[0]), two_pi * ratio};
-}
-
-std::vector<Condition> conditions_of(const CaseView& id) {
-  const std::size_t mode = first_mode(id);
-  std::map<std::size_t, std::vector<std::size_t>> members;
-  const auto& seen = id.measured.observations;
-  for (std::size_t i = 0; i < seen.size(); ++i) members[seen[i].record].push_back(i);
-  const bool replayed = id.replayed.observations.size() == seen.size();
-  std::vector<Condition> conditions;
-  for (const auto& [record, ensembles] : members) {
-    Condition c;
-    c.group = id.campaign.records[record].group;
-    const auto n = static_cast<double>(ensembles.size());
-    double square = 0;
-    for (const std::size_t i : ensembles) {
-      const Observation& o = seen[i];
-      c.frequency_hz += o.excitation_frequency[0] * to_hz / n;
-      c.forcing += std::abs(o.forcing[0]) / n;
-      const double peak = 2 * std::abs(o.amplitude[mode]);
-      c.amplitude += peak / n;
-      square += peak * peak / n;
-      if (!replayed) continue;
-      const Observation& m = id.replayed.observations[i];
-      c.model_amplitude += 2 * std::abs(m.amplitude[mode]) / n;
-      const RelativePhase seen_phase = relative_phase(id, o), model_phase = relative_phase(id, m);
-      c.phase_difference +=
-          std::remainder(seen_phase.phase - model_phase.phase, seen_phase.turn) * 180 / std::numbers::pi / n;
-    }
-    c.amplitude_sd = std::sqrt(std::max(0.0, square - c.amplitude * c.amplitude));
-    conditions.push_back(c);
-  }
-  return conditions;
-}
-
-Figure dwell_response(const CaseView& id) {
-  const std::vector<Condition> conditions = conditions_of(id);
-  const bool replayed = id.replayed.observations.size() == id.measured.observations.size();
-  Figure figure;
-  figure.title = "Steady response: measured and computed";
-  figure.x = {"Excitation frequency", "Hz", false, {}};
-  Panel panel;
-  panel.y = {
-      fmt::format("Peak amplitude of {}", id.model->coordinates[first_mode(id)]), id.coordinate_unit, false, {}};
-  std::vector<std::string> groups;
-  for (const Condition& c : conditions)
-    if (std::find(groups.begin(), groups.end(), c.group) == groups.end()) groups.push_back(c.group);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    Series data, model;
-    data.name = groups[g].empty() ? "measured" : groups[g];
-    data.style = SeriesStyle::error_bars;
-    data.role = SeriesRole::data;
-    data.group = static_cast<int>(g);
-    model.name = g == 0 ? "full equations, estimated parameters" : "";
-    model.style = SeriesStyle::line;
-    model.role = SeriesRole::model;
-    model.group = static_cast<int>(g);
-    std::vector<const Condition*> sorted;
-    for (const Condition& c : conditions)
-      if (c.group == groups[g]) sorted.push_back(&c);
-    std::sort(sorted.begin(), sorted.end(), [](auto* a, auto* b) { return a->frequency_hz < b->frequency_hz; });
-    for (const Condition* c : sorted) {
-      data.x.push_back(c->frequency_hz);
-      data.y.push_back(c->amplitude);
-      data.y_error.push_back(2 * c->amplitude_sd);
-      model.x.push_back(c->frequency_hz);
-      model.y.push_back(c->model_amplitude);
-    }
-    panel.series.push_back(std::move(data));
-    if (replayed) panel.series.push_back(std::move(model));
-  }
-  figure.panels.push_back(std::move(panel));
-  return figure;
-}
-
-Figure dwell_differences(const CaseView& id) {
-  Figure figure;
-  figure.title = "Measured minus computed";
-  figure.x = {"Peak amplitude", id.coordinate_unit, false, {}};
-  Series amplitude, phase;
-  amplitude.style = phase.style = SeriesStyle::points;
-  amplitude.role = phase.role = SeriesRole::data;
-  for (const Condition& c : conditions_of(id)) {
-    amplitude.x.push_back(c.amplitude);
-    amplitude.y.push_back(100 * (c.amplitude / c.model_amplitude - 1));
-    phase.x.push_back(c.amplitude);
-    phase.y.push_back(c.phase_difference);
-  }
-  figure.panels.push_back({"", {"Amplitude difference", "%", false, {}}, {amplitude}});
-  figure.panels.push_back({"", {"Phase difference", "degrees", false, {}}, {phase}});
-  return figure;
-}
-
-Figure decay_response(const CaseView& id, std::size_t own) {
-  Figure figure;
-  figure.title =
-      fmt::format("Free decay of {}: frequency and damping against amplitude", id.model->coordinates[own]);
-  figure.x = {fmt::format("Peak amplitude of {}", id.model->coordinates[own]), id.coordinate_unit, false, {}};
-  Series frequency, damping, model_frequency, model_damping;
-  frequency.name = damping.name = "measured, windows";
-  frequency.style = damping.style = SeriesStyle::error_bars;
-  frequency.role = damping.role = SeriesRole::data;
-  model_frequency.name = model_damping.name = "full equations, estimated parameters";
-  for (const Observation& o : id.measured.observations) {
-    if (o.growth_sd[own] < 0) continue;
-    const double peak = 2 * std::abs(o.amplitude[own]);
-    frequency.x.push_back(peak);
-    frequency.y.push_back(o.rate[own].imag() * to_hz);
-    frequency.y_error.push_back(2 * o.frequency_sd[own] * to_hz);
-    damping.x.push_back(peak);
-    damping.y.push_back(-o.rate[own].real());
-    damping.y_error.push_back(2 * o.growth_sd[own]);
-  }
-  std::vector<const Observation*> computed;
-  for (const Observation& o : id.replayed.observations)
-    if (o.growth_sd[own] >= 0) computed.push_back(&o);
-  std::sort(computed.begin(), computed.end(), [own](const Observation* a, const Observation* b) {
-    return std::abs(a->amplitude[own]) < std::abs(b->amplitude[own]);
-  });
-  for (const Observation* o : computed) {
-    const double peak = 2 * std::abs(o->amplitude[own]);
-    model_frequency.x.push_back(peak);
-    model_frequency.y.push_back(o->rate[own].imag() * to_hz);
-    model_damping.x.push_back(peak);
-    model_damping.y.push_back(-o->rate[own].real());
-  }
-  figure.panels.push_back({"", {"Frequency", "Hz", false, {}}, {frequency, model_frequency}});
-  figure.panels.push_back({"", {"Decay rate", "1/s", false, {}}, {damping, model_damping}});
-  return figure;
-}
-
-Figure held_out_figure(const CaseView& id, const HeldOutPrediction& prediction) {
-  Figure figure;
-  figure.title = "Held out: the rest of the decay, predicted";
-  figure.x = {"Time in the record", "s", false, {}};
-  Series measured, predicted, difference;
-  measured.name = "measured, not used";
-  measured.role = SeriesRole::held_out;
-  predicted.name = "predicted by the full equations";
-  predicted.role = SeriesRole::model;
-  difference.role = SeriesRole::data;
-  measured.x = predicted.x = difference.x = prediction.time;
-  measured.y = prediction.measured;
-  predicted.y = prediction.predicted;
-  for (std::size_t i = 0; i < prediction.time.size(); ++i)
-    difference.y.push_back(prediction.measured[i] - prediction.predicted[i]);
-  const std::string name(id.model->coordinates[first_mode(id)]);
-  figure.panels.push_back({"", {name, id.coordinate_unit, false, {}}, {measured, predicted}});
-  figure.panels.push_back({"", {"Measured minus predicted", id.coordinate_unit, false, {}}, {difference}});
-  return figure;
-}
-
-Figure decay_residuals(const CaseView& id, std::size_t own) {
-  Figure figure;
-  figure.title = fmt::format("Measured minus computed, {}", id.model->coordinates[own]);
-  figure.x = {"Time in the record", "s", false, {}};
-  Series frequency, damping;
-  frequency.style = damping.style = SeriesStyle::error_bars;
-  frequency.role = damping.role = SeriesRole::data;
-  for (std::size_t i = 0; i < id.replayed.observations.size(); ++i) {
-    const Observation &seen = id.measured.observations[i], &computed = id.replayed.observations[i];
-    if (seen.growth_sd[own] < 0) continue;
-    const std::complex<double> difference = seen.rate[own] - computed.rate[own];
-    frequency.x.push_back(seen.centre_s);
-    frequency.y.push_back(difference.imag() * to_hz);
-    frequency.y_error.push_back(2 * seen.frequency_sd[own] * to_hz);
-    damping.x.push_back(seen.centre_s);
-    damping.y.push_back(difference.real());
-    damping.y_error.push_back(2 * seen.growth_sd[own]);
-  }
-  figure.panels.push_back({"", {"Frequency difference", "Hz", false, {}}, {frequency}});
-  figure.panels.push_back({"", {"Growth difference", "1/s", false, {}}, {damping}});
-  return figure;
-}
 
 std::string cases_text(const Identification& id) {
   std::string text;
@@ -429,28 +197,67 @@ void add_nearly_alike(report::HtmlReport& page, const Estimate& estimate) {
     page.details("Lumps that act nearly alike on these conditions", [&] { page.preformatted(text); });
 }
 
-void add_response(report::HtmlReport& page, const Identification& id, const CaseView& view) {
+void add_decay(report::HtmlReport& page, const CaseView& view, const HeldOutPrediction& decay, bool held_out) {
+  const std::string file = view.campaign.records[decay.record].file;
+  page.figure(
+      decay_in_time(view, decay, held_out ? "Held out: the rest of the decay, " + file : "In time: " + file),
+      fmt::format("{}, integrated in one piece from one state: an error of frequency adds up. Fit: {}.",
+                  held_out ? "The part of the record after the fitted window" : "What was fitted",
+                  report::format_percent(share_fitted(decay.measured, decay.predicted))));
+  if (decay.time.size() < 2) return;
+  std::vector<double> left = decay.measured;
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] -= decay.predicted[i];
+  add_whiteness(page, left, decay.time[1] - decay.time[0]);
+}
+
+// The case of the first figure: the first one of which anything was observed.
+std::size_t shown_case(const Identification& id) {
+  std::size_t shown = 0;
+  while (shown + 1 < id.measured.size() && id.measured[shown].observations.empty()) ++shown;
+  return shown;
+}
+
+Figure first_figure(const CaseView& view) {
+  if (view.resonance->excited) return dwell_response(view);
+  const std::vector<std::size_t> seen = modes_seen(view);
+  return decay_response(view, seen.empty() ? first_mode(view) : seen.front());
+}
+
+void add_response(report::HtmlReport& page, const Identification& id, const CaseView& view,
+                  const Figure& response) {
   page.section(id.measured.size() > 1 ? "Response, case " + std::string(view.resonance->name) : "Response");
   if (view.resonance->excited) {
-    page.figure(dwell_response(view),
-                "Peak amplitude of the modal displacement (mean over the ensembles of a dwell, bars: two standard "
-                "deviations) and what the full equations of motion do with the estimated parameters.");
-    if (view.replayed.observations.size() == view.measured.observations.size())
+    page.figure(
+        response,
+        "Peak amplitude of the modal displacement: mean over the ensembles of a dwell, bars of two standard "
+        "deviations of that mean (often smaller than the marker). Lines are the steady responses of the "
+        "modulation equations with the estimated parameters, dashed where they are unstable; hollow markers "
+        "what the full equations of motion do at each dwell's own level. A level has dwells within 5 %.");
+    if (const std::optional<Figure> by_level = dwells_by_level(view))
+      page.figure(*by_level,
+                  "The same dwells against the excitation's amplitude. Frequencies differ from point to "
+                  "point, so nothing joins them.");
+    if (view.is_replayed())
       page.figure(dwell_differences(view),
-                  "What is left: amplitude and phase of every dwell against the full equations.");
-  } else {
-    for (const std::size_t mode : modes_seen(view)) {
-      page.figure(
-          decay_response(view, mode),
-          "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
-          "with the estimated parameters.");
-      if (id.held_out.empty() && view.replayed.observations.size() == view.measured.observations.size())
-        page.figure(decay_residuals(view, mode), "What is left of frequency and growth rate in every window.");
-    }
-    for (const HeldOutPrediction& p : id.held_out)
-      page.figure(held_out_figure(view, p),
-                  "The part of the record after the fitted window, integrated from the state at the window's end.");
+                  "What is left: amplitude and phase of every dwell against the full equations; bars are two "
+                  "standard deviations of a dwell's mean. " +
+                      size_of_differences(view));
+    return;
   }
+  const std::vector<std::size_t> modes = modes_seen(view);
+  for (const std::size_t mode : modes) {
+    page.figure(
+        mode == modes.front() ? response : decay_response(view, mode),
+        "Every window of the decay (bars: two standard deviations) and the same windows on the full equations "
+        "with the estimated parameters. Band: what the parameters' covariance leaves open, two standard "
+        "deviations.");
+    if (id.held_out.empty() && view.is_replayed())
+      page.figure(decay_residuals(view, mode),
+                  "What is left of frequency and decay rate in every window, with bars of two standard deviations. "
+                  "Neighbouring windows overlap, so they scatter together.");
+  }
+  for (const HeldOutPrediction& decay : id.followed) add_decay(page, view, decay, false);
+  for (const HeldOutPrediction& decay : id.held_out) add_decay(page, view, decay, true);
 }
 
 // Lateness of the responses by record.
@@ -489,21 +296,16 @@ void add_regression_quality(report::HtmlReport& page, const Estimate& estimate) 
 }  // namespace
 
 Figure response_figure(const Identification& id) {
-  if (id.full) return full_figure(id);
-  std::size_t shown = 0;
-  while (shown + 1 < id.measured.size() && id.measured[shown].observations.empty()) ++shown;
-  const CaseView view = view_of(id, shown);
-  if (view.resonance->excited) return dwell_response(view);
-  const std::vector<std::size_t> seen = modes_seen(view);
-  return decay_response(view, seen.empty() ? first_mode(view) : seen.front());
+  return id.full ? full_figure(id) : first_figure(view_of(id, shown_case(id)));
 }
 
-std::string identification_report(const Identification& id, const std::string& command) {
+std::string identification_report(const Identification& id, const Figure& response, const std::string& command) {
   if (id.full) return full_report(id, command);
   report::HtmlReport page("Identification of " + std::string(id.model->name),
                           "Campaign " + id.campaign.name + ", " + cases_text(id));
   for (const std::string& warning : id.estimate.warnings) page.warn(warning);
-  add_cards(page, id.estimate);
+  page.verdict(verdict_sentence(id.estimate), verdict_tone(id.estimate));
+  add_cards(page, id.estimate, natural_frequencies(*id.model));
   const bool angle = id.coordinate_unit == "rad";
   for (const HeldOutPrediction& p : id.held_out)
     page.card({"Held out, predicted within",
@@ -522,11 +324,13 @@ std::string identification_report(const Identification& id, const std::string& c
       "that the expansion's truncation may have where entangled parameters act beyond it (another measurement of "
       "the "
       "same kind would not change that part).");
-  add_values(page, id.estimate, false);
+  add_values(page, id.estimate, false, natural_frequencies(*id.model));
+  add_pairs(page, id.estimate, natural_frequencies(*id.model));
   for (const std::string& line : scatter_lines(id.estimate)) page.paragraph(line + ".");
   for (std::size_t c = 0; c < id.measured.size(); ++c) {
     const CaseView view = view_of(id, c);
-    if (!view.measured.observations.empty()) add_response(page, id, view);
+    if (!view.measured.observations.empty())
+      add_response(page, id, view, c == shown_case(id) ? response : first_figure(view));
   }
   if (!id.disturbances.empty() || !id.lateness.empty()) page.section("Disturbances");
   add_disturbances(page, id.disturbances, id.campaign);
@@ -536,7 +340,7 @@ std::string identification_report(const Identification& id, const std::string& c
   if (!id.estimate.damping.empty()) add_damping(page, id.estimate);
   page.section("Lumps");
   page.paragraph("The parameter combinations that the regression sees near this resonance.");
-  add_values(page, id.estimate, true);
+  add_values(page, id.estimate, true, natural_frequencies(*id.model));
   add_regression_quality(page, id.estimate);
   add_lack_of_fit(page, id.estimate);
   add_tests(page, id.estimate);

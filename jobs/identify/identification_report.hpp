@@ -7,11 +7,13 @@
 
 namespace secular {
 
-/// The self-contained HTML report of a run of `identify`; `command` is how it was started.
-std::string identification_report(const Identification& identification, const std::string& command);
-
-/// Its first figure: response against excitation frequency, or frequency and damping against amplitude for decays;
-/// by the full equations see full_figure().
+/// The first figure of a report: response against excitation frequency, or frequency and damping against amplitude
+/// for decays; by the full equations see full_figure().
 report::Figure response_figure(const Identification& identification);
+
+/// The self-contained HTML report of a run of `identify`; `response` is its response_figure() (the model's curves
+/// take time), `command` how it was started.
+std::string identification_report(const Identification& identification, const report::Figure& response,
+                                  const std::string& command);
 
 }  // namespace secular

@@ -104,10 +104,11 @@ bool is_combination(double line, const std::vector<double>& frequencies, double 
 
 }  // namespace
 
-DecayLines decay_lines(const Campaign& campaign, const RecordReader& read, const std::vector<double>& nominal,
-                       const Window& window) {
-  DecayLines lines;
+ModeLines decay_lines(const Campaign& campaign, const RecordReader& read, const std::vector<double>& nominal,
+                      const Window& window) {
+  ModeLines lines;
   lines.at_nominal.resize(nominal.size());
+  lines.may_be_further.assign(nominal.size(), true);
   const std::optional<Spectrum> spectrum = spectrum_of_decays(campaign, read, window);
   if (!spectrum) return lines;
   lines.records = spectrum->records;

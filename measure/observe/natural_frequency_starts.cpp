@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "measure/observe/decay_lines.hpp"
+#include "measure/observe/driven_lines.hpp"
 #include "measure/thresholds.hpp"
 
 namespace secular {
@@ -14,14 +15,18 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// Over six turns, the fewest of a segment that is driven, a motion so far off is off by half a turn
+/// (docs/inference.md (40)); one that decays is found by its first turn.
+constexpr double near_enough = 1.0 / 12;
+
 class Search {
  public:
   Search(const std::vector<double>& nominal, const std::vector<Resonance>& cases,
-         const std::vector<DwellTones>& dwells, const DecayLines& decays)
-      : nominal_(nominal), cases_(cases), dwells_(dwells), decays_(decays) {
-    for (const std::optional<double>& line : decays.at_nominal)
+         const std::vector<DwellTones>& dwells, const ModeLines& seen)
+      : nominal_(nominal), cases_(cases), dwells_(dwells), seen_(seen) {
+    for (const std::optional<double>& line : seen.at_nominal)
       if (line) lines_.push_back(*line);
-    lines_.insert(lines_.end(), decays.further.begin(), decays.further.end());
+    lines_.insert(lines_.end(), seen.further.begin(), seen.further.end());
     order_.resize(nominal.size());
     std::iota(order_.begin(), order_.end(), 0U);
     if (std::all_of(nominal.begin(), nominal.end(), [](double w) { return std::isfinite(w); }))
@@ -32,10 +37,10 @@ class Search {
   std::vector<double> run() const {
     Found best = judged(nominal_, 0);
     if (explains_all(best)) return nominal_;
-    Found from_decays = judged(with_decays(), 0);
+    Found from_lines = judged(with_lines(), 0);
     improve(best);
-    improve(from_decays);
-    return (from_decays < best ? from_decays : best).frequency;
+    improve(from_lines);
+    return (from_lines < best ? from_lines : best).frequency;
   }
 
   // Every frequency in the middle of the dwells that it explains, within the resonance width.
@@ -59,7 +64,7 @@ class Search {
   struct Found {
     std::vector<double> frequency;
     std::size_t explained = 0, agreeing = 0;  // records
-    std::vector<bool> which;                  // dwells and lines of decays that are explained
+    std::vector<bool> which;                  // dwells and lines that are explained
     double moved = 0;                         // from the nominal values, logarithms
     std::size_t reading = 0;  // number of the relation that it was read by: of equals the model's first
     double off = 0;           // of the dwells that agree
@@ -77,7 +82,7 @@ class Search {
   }
 
   bool explains_all(const Found& found) const {
-    return found.explained == dwells_.size() + lines_.size() * decays_.records &&
+    return found.explained == dwells_.size() + lines_.size() * seen_.records &&
            std::all_of(nominal_.begin(), nominal_.end(), [](double w) { return std::isfinite(w); });
   }
 
@@ -97,7 +102,7 @@ class Search {
       found.which.push_back(std::any_of(w.begin(), w.end(), [&](double own) {
         return std::abs(line - own) < measure_thresholds().largest_detuning * own;
       }));
-      if (found.which.back()) found.explained += decays_.records;
+      if (found.which.back()) found.explained += seen_.records;
     }
     for (std::size_t k = 0; k < w.size(); ++k)
       if (std::isfinite(nominal_[k]) && std::isfinite(w[k])) found.moved += std::abs(std::log(w[k] / nominal_[k]));
@@ -114,11 +119,11 @@ class Search {
   }
 
   // Modes that are not seen near their nominal frequencies take the strongest of the further lines.
-  std::vector<double> with_decays() const {
+  std::vector<double> with_lines() const {
     std::vector<double> frequency = nominal_;
-    auto line = decays_.further.begin();
+    auto line = seen_.further.begin();
     for (const std::size_t k : order_)
-      if (!decays_.at_nominal[k] && line != decays_.further.end()) frequency[k] = *line++;
+      if (seen_.may_be_further[k] && !seen_.at_nominal[k] && line != seen_.further.end()) frequency[k] = *line++;
     return in_order(frequency);
   }
 
@@ -159,7 +164,7 @@ class Search {
   const std::vector<double>& nominal_;
   const std::vector<Resonance>& cases_;
   const std::vector<DwellTones>& dwells_;
-  const DecayLines& decays_;
+  const ModeLines& seen_;
   std::vector<double> lines_;
   std::vector<std::size_t> order_;  // modes by nominal frequency
 };
@@ -170,12 +175,19 @@ NaturalFrequencyStarts natural_frequency_starts(const Campaign& campaign, const 
                                                 const std::vector<double>& nominal,
                                                 const std::vector<Resonance>& cases,
                                                 const std::vector<DwellTones>& dwells, const Window& window) {
-  const DecayLines decays = decay_lines(campaign, read, nominal, window);
-  const Search search(nominal, cases, dwells, decays);
+  ModeLines seen = decay_lines(campaign, read, nominal, window);
+  const bool is_driven = seen.records == 0;
+  if (is_driven) seen = driven_lines(campaign, read, nominal, window);
+  const Search search(nominal, cases, dwells, seen);
   const std::vector<double> found = search.run();
   NaturalFrequencyStarts starts{search.centred(found), {}};
-  for (std::size_t k = 0; k < nominal.size(); ++k)
+  for (std::size_t k = 0; k < nominal.size(); ++k) {
     starts.moved.push_back(std::isfinite(nominal[k]) && found[k] != nominal[k]);
+    if (!is_driven || !seen.at_nominal[k] || starts.moved[k]) continue;
+    if (std::abs(*seen.at_nominal[k] - nominal[k]) < near_enough * nominal[k]) continue;
+    starts.frequency[k] = *seen.at_nominal[k];
+    starts.moved[k] = true;
+  }
   return starts;
 }
 

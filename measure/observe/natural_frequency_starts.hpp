@@ -14,11 +14,12 @@ struct NaturalFrequencyStarts {
 };
 
 /// Nominal values (rad/s, by mode; NaN: none) are right where every record is explained by them: a dwell by a case
-/// within the resonance width that its response does not contradict, a decay by a mode at each of its lines. Lines
-/// of decays take the place of those that no line is near, and what makes a relation of a case exact at a dwell
-/// takes that of any, where that explains the same records and more; the more, the better. Modes keep the order of
-/// their nominal frequencies, so that each goes to the nearest line in order. Of several that explain as many,
-/// those count that more responses agree with, then the nearest to the nominal values.
+/// within the resonance width that its response does not contradict, a decay by a mode at each of its lines; where
+/// nothing decays, lines are those of driven records (docs/inference.md (51)). They take the place of those that no
+/// line is near, and what makes a relation of a case exact at a dwell takes that of any, where that explains the
+/// same records and more; the more, the better. Modes keep the order of their nominal frequencies, so that each
+/// goes to the nearest line in order. Of several that explain as many, those count that more responses agree with,
+/// then the nearest to the nominal values.
 NaturalFrequencyStarts natural_frequency_starts(const Campaign& campaign, const RecordReader& read,
                                                 const std::vector<double>& nominal,
                                                 const std::vector<Resonance>& cases,

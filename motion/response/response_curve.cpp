@@ -65,6 +65,9 @@ class CurveSearch {
     options.upper = field_.box(result_.largest);
     options.lower = -options.upper;
     options.starts_at = VectorXd::LinSpaced(7, request_.lower, request_.upper);
+    if (!request_.search_at.empty())
+      options.starts_at =
+          Eigen::Map<const VectorXd>(request_.search_at.data(), static_cast<Index>(request_.search_at.size()));
     const BifurcationDiagram diagram =
         bifurcation_diagram(reduced, request_.parameters, request_.parameter, options);
     result_.status = diagram.status;

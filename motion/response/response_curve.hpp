@@ -42,6 +42,8 @@ struct ResponseRequest {
   Eigen::Index parameter = 0;  ///< the varied one
   double lower = 0, upper = 1;
   double largest = 0;  ///< amplitude |B| up to which responses are looked for; 0: 4 amplitude_scale
+  /// Values of the varied parameter at which responses are searched for; empty: seven, evenly over the range.
+  std::vector<double> search_at = {};
 };
 
 struct ResponseDiagram {

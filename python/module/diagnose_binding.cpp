@@ -61,7 +61,7 @@ void add_diagnose(py::module_& module) {
           "command"_a)
       .def("figure",
            [](const DiagnoseOutcome& o) {
-             return figure_dict(computed([&] { return gap_figure(o.found.diagnosis); }));
+             return figure_dict(computed([&] { return gap_figure(o.found); }));
            })
       .def_property_readonly("mostly_left_out", [](const DiagnoseOutcome& o) { return o.found.mostly_left_out; })
       .def_readonly("notices", &DiagnoseOutcome::notices);

@@ -61,7 +61,7 @@ void add_identify(py::module_& module) {
       .def(
           "report",
           [](const IdentifyOutcome& o, const std::string& command) {
-            return computed([&] { return identification_report(o.found, command); });
+            return computed([&] { return identification_report(o.found, response_figure(o.found), command); });
           },
           "command"_a)
       .def("figure",

@@ -62,7 +62,8 @@ py::dict figure_dict(const report::Figure& figure) {
     for (const report::Series& one : panel.series)
       series.append(py::dict("name"_a = one.name, "style"_a = name_of(one.style), "role"_a = name_of(one.role),
                              "x"_a = one.x, "y"_a = one.y, "y_error"_a = one.y_error, "group"_a = one.group));
-    panels.append(py::dict("title"_a = panel.title, "y"_a = axis_dict(panel.y), "series"_a = series));
+    panels.append(py::dict("title"_a = panel.title, "y"_a = axis_dict(panel.y), "series"_a = series,
+                           "zero_line"_a = panel.zero_line));
   }
   return py::dict("title"_a = figure.title, "x"_a = axis_dict(figure.x), "panels"_a = panels);
 }

@@ -43,7 +43,7 @@ class Identification:
     def json(self) -> str: ...
     def report(self, command: str) -> str: ...
     def figure(self) -> Dict[str, Any]:
-        """{"title", "x": axis, "panels": [{"title", "y": axis, "series": [...]}]}; an axis is {"label", "unit",
+        """{"title", "x": axis, "panels": [{"title", "y": axis, "series": [...], "zero_line"}]}; an axis is {"label", "unit",
         "logarithmic"}, a series {"name", "style", "role", "x", "y", "y_error", "group"}."""
 
 class Diagnosis:

@@ -43,6 +43,8 @@ def draw(content: dict, figure=None):
     for axes, panel in zip(all_axes, panels):
         for series in panel["series"]:
             _draw_series(axes, series)
+        if panel["zero_line"]:
+            axes.axhline(0, color="black", linewidth=0.8)
         axes.set_ylabel(_label(panel["y"]))
         if panel["y"]["logarithmic"]:
             axes.set_yscale("log")

@@ -11,6 +11,7 @@
 #include "tests/app/program_run.hpp"
 #include "tests/places.hpp"
 #include "tests/process_folder.hpp"
+#include "tests/report/page_structure.hpp"
 
 namespace secular {
 namespace {
@@ -206,6 +207,10 @@ TEST_F(CommandLine, SimulateRefusesToOverwriteAndIdentifyRefusesNonsense) {
   const std::string html = text_of(folder / "out/report.html");
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org"));  // nothing is fetched
+  EXPECT_EQ(report::test::structure_faults(html), std::vector<std::string>());
+  for (const char* part :
+       {"two standard deviations of the parameters", "Fit: ", "Autocorrelation", "Parameters in pairs"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
 }
 
 TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
@@ -239,6 +244,7 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   EXPECT_GE(thresholds, 2u);
   const std::string html = text_of(fs::path(out) / "report.html");
   EXPECT_NE(html.find("<svg"), std::string::npos);
+  EXPECT_EQ(report::test::structure_faults(html), std::vector<std::string>());
   EXPECT_NE(text_of(fs::path(out) / "response.svg").find("<svg"), std::string::npos);
   EXPECT_NE(text_of(fs::path(out) / "prediction.csv").find("branch,kind,Omega,stable,amplitude_v"),
             std::string::npos);

@@ -6,6 +6,7 @@
 
 #include "tests/app/program_run.hpp"
 #include "tests/campaign/temporary_folder.hpp"
+#include "tests/report/page_structure.hpp"
 
 namespace secular::app {
 namespace {
@@ -76,8 +77,11 @@ TEST_F(SlowDisturbanceOutput, IsTheSameListEverywhere) {
     EXPECT_NE(outcome.output.find("converter_step: in 1 of 1 records"), std::string::npos) << outcome.output;
     EXPECT_EQ(outcome.errors.find("converter_step"), std::string::npos) << outcome.errors;
   }
-  for (const char* report : {"identified/report.html", "diagnosed/report.html"})
-    EXPECT_NE(text_of(folder_ / report).find("Disturbances"), std::string::npos) << report;
+  for (const char* file : {"identified/report.html", "diagnosed/report.html"}) {
+    const std::string page = text_of(folder_ / file);
+    EXPECT_NE(page.find("Disturbances"), std::string::npos) << file;
+    EXPECT_EQ(report::test::structure_faults(page), std::vector<std::string>()) << file;
+  }
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ const std::vector<Truth> truths = {{"omega0", 62.8}, {"mu1", 0.6}, {"mu2", 20.0}
 
 class FullEquations : public testing_support::DiagnosedFolder {
  protected:
-  void write_model(const std::string& name, const std::string& damping, const std::string& spring) const {
+  void write_model(const std::string& name, const std::string& damping, const std::string& spring,
+                   const std::string& nominal = "[nominal]\nomega0 = 62.0\n") const {
     const std::string with_cubic = spring.empty() ? "" : ", alpha3 = 2";
     std::ofstream(folder_ / name)
         << "schema = 1\nname = \"struck\"\n[[mode]]\ncoordinate = \"v\"\nfrequency = \"omega0\"\n"
@@ -47,7 +48,8 @@ class FullEquations : public testing_support::DiagnosedFolder {
         << " + eta1*F*cos(Omega*t)\"\n"
         << "[[case]]\nname = \"primary\"\nrelations = [\"Omega = omega0 + eps^2*sigma\"]\n"
         << "order = { mu1 = 2, mu2 = 2, eta1 = 2" << (damping.empty() ? "" : ", mu0 = 2") << with_cubic
-        << " }\nexpand_to = 2\n[nominal]\nomega0 = 62.0\n";
+        << " }\nexpand_to = 2\n"
+        << nominal;
   }
 
   void simulate(const std::string& records, int seed = 4) const {
@@ -150,6 +152,17 @@ TEST_F(FullEquations, CountTheirFits) {
 TEST_F(FullEquations, TellANumberFromSweeps) {
   simulate(two_sweeps);
   expect_right(identified(), "2 sweeps");
+}
+
+// Without a nominal natural frequency, and with one that is half as large again (docs/inference.md (51)).
+TEST_F(FullEquations, BeginAtTheResonanceThatDrivenRecordsShow) {
+  simulate(two_sweeps);
+  write_model("bare.toml", "", " - alpha3*v^3", "");
+  expect_right(identified("bare.toml"), "2 sweeps");
+  simulate(broadband_record);
+  write_model("off.toml", "", " - alpha3*v^3", "[nominal]\nomega0 = 94.0\n");
+  expect_right(identified("off.toml"), "1 broadband");
+  EXPECT_NE(printed().find("omega0 is near 62"), std::string::npos) << printed();
 }
 
 TEST_F(FullEquations, TellANumberFromImpacts) {
