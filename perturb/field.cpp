@@ -102,8 +102,8 @@ void accumulate(const std::vector<const FieldSeries*>& factors, std::size_t firs
 }  // namespace
 
 void ProductCount::add(std::size_t products) {
-  if ((count_ += products) > most)
-    throw std::length_error("has more than " + std::to_string(most) + " products of terms in its expansion");
+  if ((count_ += products) > limit_)
+    throw std::length_error("has more than " + std::to_string(limit_) + " products of terms in its expansion");
 }
 
 Field product_at_order(const std::vector<const FieldSeries*>& factors, int order, ProductCount& count) {

@@ -19,8 +19,8 @@ int largest_harmonic(const FieldSeries& series, std::size_t mode, int order) {
 
 }  // namespace
 
-MotionSeries::MotionSeries(PhaseRates rates, int highest_order, std::vector<bool> at_rest)
-    : rates_(std::move(rates)), highest_order_(highest_order), at_rest_(std::move(at_rest)) {
+MotionSeries::MotionSeries(PhaseRates rates, int highest_order, std::vector<bool> at_rest, ProductCount products)
+    : rates_(std::move(rates)), highest_order_(highest_order), at_rest_(std::move(at_rest)), products_(products) {
   const FieldLayout& layout = rates_.layout;
   const FieldSeries nothing(static_cast<std::size_t>(highest_order_) + 1);
   coordinate_.assign(layout.modes, std::vector<FieldSeries>(3, nothing));

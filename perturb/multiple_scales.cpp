@@ -21,13 +21,13 @@ namespace {
 // D_n A_k (split_forcing), the rest to the response.
 class MultipleScales {
  public:
-  explicit MultipleScales(Derivation& derivation)
+  MultipleScales(Derivation& derivation, ProductCount products)
       : d_(derivation),
         model_(*derivation.model),
         resonance_(*derivation.resonance),
         equations_(ordered_equations(model_, resonance_)),
         rates_(phase_rates(model_, resonance_, d_.lattice, d_.policy == OmegaPolicy::nominal)),
-        motion_(rates_, resonance_.expand_to, resonance_.mode_at_rest) {}
+        motion_(rates_, resonance_.expand_to, resonance_.mode_at_rest, products) {}
 
   void run() {
     const std::size_t modes = d_.layout.modes, size = static_cast<std::size_t>(resonance_.expand_to) + 1;
@@ -162,7 +162,7 @@ Phase Derivation::full_phase(const FieldKey& key) const {
   return secular::full_phase(key, layout, lattice);
 }
 
-Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy) {
+Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy, ProductCount products) {
   Derivation derivation{&model,
                         &resonance,
                         policy,
@@ -173,7 +173,7 @@ Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolic
                         {},
                         {},
                         {}};
-  MultipleScales(derivation).run();
+  MultipleScales(derivation, products).run();
   return derivation;
 }
 
