@@ -58,7 +58,8 @@ void print_following(const Identification& id) {
   if (id.following.empty()) return;
   fmt::print("follow from the rest position\n");
   for (const FollowingEstimate& f : id.following)
-    fmt::print("  {:<12} {:>20}\n", f.name, report::format_uncertain(f.value, f.sd));
+    fmt::print("  {:<12} {:>20}{}\n", f.name, report::format_uncertain(f.value, f.sd),
+               f.doubtful ? " doubtful" : "");
 }
 
 void print_value(const EstimatedValue& v) {

@@ -93,6 +93,7 @@ std::string full_report(const Identification& id, const std::string& command) {
                        "with those it is entangled with."
                      : "The fit did not come to an end: there are no numbers.");
   add_values(page, id.estimate, false, natural_frequencies(*id.model));
+  add_following(page, id);
   add_pairs(page, id.estimate, natural_frequencies(*id.model));
   page.section("Measured and computed");
   for (std::size_t i = 0; i < std::min(most_stretches, full.stretches.size()); ++i)

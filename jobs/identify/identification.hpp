@@ -44,6 +44,7 @@ struct IdentificationRequest {
 struct FollowingEstimate {
   std::string name;
   double value = 0, sd = 0;
+  bool doubtful = false;  ///< one of those that it follows from is
 };
 
 /// Everything that a run of `identify` found, before it is written.

@@ -325,6 +325,7 @@ std::string identification_report(const Identification& id, const Figure& respon
       "the "
       "same kind would not change that part).");
   add_values(page, id.estimate, false, natural_frequencies(*id.model));
+  add_following(page, id);
   add_pairs(page, id.estimate, natural_frequencies(*id.model));
   for (const std::string& line : scatter_lines(id.estimate)) page.paragraph(line + ".");
   for (std::size_t c = 0; c < id.measured.size(); ++c) {

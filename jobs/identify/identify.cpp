@@ -80,13 +80,16 @@ std::vector<FollowingEstimate> following_estimates(const ModelSource& source, co
   std::vector<FollowingEstimate> result;
   for (const FollowingCoefficient& coefficient : source.following_coefficients(values)) {
     double variance = 0;
+    const bool doubtful =
+        std::any_of(estimate.parameters.begin(), estimate.parameters.end(),
+                    [&](const EstimatedValue& v) { return v.doubtful && coefficient.slopes.contains(v.name); });
     for (const auto& [row, a] : coefficient.slopes)
       for (const auto& [column, b] : coefficient.slopes) {
         if (!places.contains(row) || !places.contains(column)) continue;
         const double sd = estimate.parameters[static_cast<std::size_t>(places[row])].sd;
         variance += a * b * (row == column ? sd * sd : estimate.covariance(places[row], places[column]));
       }
-    result.push_back({coefficient.name, coefficient.value, std::sqrt(std::max(0.0, variance))});
+    result.push_back({coefficient.name, coefficient.value, std::sqrt(std::max(0.0, variance)), doubtful});
   }
   return result;
 }
