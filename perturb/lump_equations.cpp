@@ -14,6 +14,7 @@
 #include "perturb/factored_fraction.hpp"
 #include "perturb/formula_value.hpp"
 #include "perturb/prime_field.hpp"
+#include "perturb/rest_position.hpp"
 #include "perturb/row_reduction.hpp"
 
 namespace secular {
@@ -22,11 +23,18 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
+std::vector<std::string> coefficient_names(const Model& model) {
+  std::vector<std::string> names = model.parameters;
+  if (model.rest)
+    for (const RestValue& value : model.rest->values) names.push_back(value.name);
+  return names;
+}
+
 class LumpFinder {
  public:
   LumpFinder(const Model& model, FractionSums& sums)
-      : model_(model), sums_(sums), first_(point(1)), second_(point(2)) {
-    for (const std::string& name : model.parameters) parameters_.push_back(sums.place(model.symbols.at(name)));
+      : model_(model), sums_(sums), names_(coefficient_names(model)), first_(point(1)), second_(point(2)) {
+    for (const std::string& name : names_) parameters_.push_back(sums.place(model.symbols.at(name)));
     for (const Shorthand& shorthand : model.shorthands)
       named_.push_back(candidate(
           shorthand.name, read(formula_value(shorthand.expression, shorthand.source,
@@ -48,7 +56,7 @@ class LumpFinder {
     if (auto split = product_times_sum(coefficient)) return split;
     Candidate whole = candidate(fallback_name, coefficient);
     if (present.size() == 1) {
-      const std::string& name = model_.parameters[present.front()];
+      const std::string& name = names_[present.front()];
       Candidate single = candidate(name, read(model_.symbols.at(name)));
       if (auto ratio = proportion(whole, single)) return Split{use(std::move(single)), {std::move(*ratio)}};
     }
@@ -104,7 +112,7 @@ class LumpFinder {
         if (std::exchange(term.powers[place], 0) != power) return std::nullopt;
       product.powers[place] = power;
       if (power == 0) continue;
-      name += "_" + model_.parameters[p];
+      name += "_" + names_[p];
       if (power != 1) name += (power < 0 ? "m" : "") + std::to_string(std::abs(power));
     }
     if (std::any_of(parameters_.begin(), parameters_.end(),
@@ -123,7 +131,7 @@ class LumpFinder {
     std::vector<PrimeFieldComplex> values(model_.symbols.names().size() + 1, random_value("Pi", 0));
     for (const std::string& name : model_.symbols.names())
       values[sums_.place(model_.symbols.at(name))] = random_value(name, 0);
-    for (const std::string& name : model_.parameters)
+    for (const std::string& name : names_)
       values[sums_.place(model_.symbols.at(name))] = random_value(name, parameter_draw);
     return FractionPoint(sums_, std::move(values));
   }
@@ -145,8 +153,7 @@ class LumpFinder {
                      [&](std::size_t parameter) { return sums_.has(result, parameter); }))
       return sums_.sum(result);
     GiNaC::exmap numbers;  // parameters in divisors
-    for (std::size_t p = 0; p < parameters_.size(); ++p)
-      numbers[model_.symbols.at(model_.parameters[p])] = values[p];
+    for (std::size_t p = 0; p < parameters_.size(); ++p) numbers[model_.symbols.at(names_[p])] = values[p];
     try {
       return sums_.sum(read(sums_.expression(result).subs(numbers, GiNaC::subs_options::no_pattern)));
     } catch (const GiNaC::pole_error&) {
@@ -197,6 +204,7 @@ class LumpFinder {
 
   const Model& model_;
   FractionSums& sums_;
+  std::vector<std::string> names_;  // of parameters, and of values at rest, which follow from them
   FractionPoint first_, second_;
   std::vector<std::size_t> parameters_;  // places of their symbols
   std::vector<Candidate> named_;

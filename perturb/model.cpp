@@ -8,6 +8,7 @@
 #include "input/input_error.hpp"
 #include "input/toml_table.hpp"
 #include "perturb/formula_value.hpp"
+#include "perturb/rest_position.hpp"
 
 namespace secular {
 namespace {
@@ -53,7 +54,7 @@ std::string identifier(const TomlTable& table, const std::string& key) {
 void read_modes(const TomlTable& root, Model& model) {
   const bool lagrangian = root.has("lagrangian");
   for (const TomlTable& table : root.tables("mode")) {
-    table.refuse_unknown_keys({"coordinate", "frequency", "equation", "force"});
+    table.refuse_unknown_keys({"coordinate", "frequency", "equation", "force", "rest"});
     Mode mode;
     mode.coordinate = identifier(table, "coordinate");
     mode.frequency = identifier(table, "frequency");
@@ -126,8 +127,43 @@ void declare_symbols(Model& model) {
     if (name == "pi") throw InputError(model.file, "", "symbol pi in an equation", "the number is written Pi");
     if (coordinates.count(name) || is_reserved(name) || model.symbols.contains(name)) continue;
     model.symbols.add_real(name);
-    model.parameters.push_back(name);
+    if (!model.rest || !model.rest->is_value(name)) model.parameters.push_back(name);
   }
+}
+
+// By mode: the name that the file gives to the rest position.
+std::vector<std::string> rest_names(const TomlTable& root) {
+  std::vector<std::string> names;
+  for (const TomlTable& table : root.tables("mode")) {
+    if (table.has("rest") && !root.has("reference"))
+      table.fail("rest", "names a rest position of a model whose coordinates count from zero",
+                 "write reference = \"rest\" at the head of the file");
+    names.push_back(table.has("rest") ? identifier(table, "rest") : "");
+  }
+  return names;
+}
+
+void take_reference(const TomlTable& root, Model& model) {
+  const std::vector<std::string> names = rest_names(root);
+  if (!root.has("reference")) return;
+  if (root.string("reference") != "rest")
+    root.fail("reference", "is '" + root.string("reference") + "'", "'rest' was expected, or no such key");
+  model = about_rest(std::move(model), names);
+  model.symbols = {};
+  model.parameters.clear();
+  model.excitations.clear();
+  declare_symbols(model);
+  // What stands in values of functions alone.
+  const auto need = [&](const std::string& name) {
+    if (name.empty() || model.symbols.contains(name)) return;
+    model.symbols.add_real(name);
+    if (!model.rest->is_value(name)) model.parameters.push_back(name);
+  };
+  for (const RestValue& value : model.rest->values) {
+    need(value.name);
+    for (const std::string& name : identifiers(value.argument)) need(name);
+  }
+  for (const std::string& name : model.rest->symbols) need(name);
 }
 
 ResonanceRelation read_relation(const TomlTable& table, const std::string& text, Model& model) {
@@ -203,6 +239,8 @@ void read_order(const TomlTable& table, const Model& model, ResonanceCase& reson
       table.fail("ordering", "is '" + table.string("ordering") + "'", "'degree' was expected, or no such key");
     resonance.degree_ordering = true;
   }
+  // Coefficients about rest are composite.
+  if (model.rest) resonance.degree_ordering = true;
   if (!table.has("order")) return;
   const TomlTable order = table.table("order");
   for (const std::string& symbol : order.keys()) {
@@ -210,6 +248,8 @@ void read_order(const TomlTable& table, const Model& model, ResonanceCase& reson
     if (power < 0 || power > highest_order)
       order.fail(symbol, "is " + std::to_string(power),
                  "a power of eps from 0 to " + std::to_string(highest_order));
+    if (model.rest && model.rest->holds(symbol))
+      order.fail(symbol, "follows from the rest position and the natural frequencies", "remove the entry");
     if (std::find(model.parameters.begin(), model.parameters.end(), symbol) == model.parameters.end())
       order.fail(symbol, "is no coefficient symbol of this model's equations",
                  "remove the entry or correct the symbol");
@@ -275,10 +315,11 @@ void read_nominal(const TomlTable& root, Model& model) {
   if (!root.has("nominal")) return;
   const TomlTable table = root.table("nominal");
   for (const std::string& name : table.keys()) {
-    if (!model.symbols.contains(name))
+    if (!model.symbols.contains(name) && !(model.rest && model.rest->holds(name)))
       table.fail(name, "is no symbol of this model", "remove the entry or correct the symbol");
     model.nominal[name] = table.number(name);
   }
+  if (model.rest) take_rest_position(model, model.nominal, table.file() + ", [nominal]");
   for (std::size_t i = 0; i < model.frequency_count(); ++i) {
     const auto entry = model.nominal.find(model.frequency_name(i));
     if (entry != model.nominal.end() && entry->second <= 0)
@@ -287,7 +328,8 @@ void read_nominal(const TomlTable& root, Model& model) {
 }
 
 Model read(const TomlTable& root) {
-  root.refuse_unknown_keys({"schema", "name", "source", "mode", "case", "nominal", "lagrangian", "shorthand"});
+  root.refuse_unknown_keys(
+      {"schema", "name", "source", "mode", "case", "nominal", "lagrangian", "shorthand", "reference"});
   if (root.integer("schema") != 1)
     root.fail("schema", "is " + std::to_string(root.integer("schema")), "this program reads schema 1");
   Model model;
@@ -296,6 +338,7 @@ Model read(const TomlTable& root) {
   model.source = root.string_or("source", "");
   read_modes(root, model);
   declare_symbols(model);
+  take_reference(root, model);
   read_cases(root, model);
   read_shorthands(root, model);
   read_nominal(root, model);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -70,6 +71,8 @@ struct Lagrangian {
   Expression kinetic, potential;
 };
 
+struct RestPosition;
+
 /// A model file (schema 1), read and checked. Physics once, resonance cases many.
 struct Model {
   std::string file;
@@ -84,6 +87,9 @@ struct Model {
   std::vector<Shorthand> shorthands;
   std::map<std::string, double> nominal;
   SymbolTable symbols;
+  /// With `reference = "rest"`: what became of the model as the file states it. All else here is about rest.
+  std::shared_ptr<const RestPosition> rest = nullptr;
+  bool rests_at_zero = true;  ///< false while its rest position is looked for: functions may be of any argument
 
   const ResonanceCase& find_case(const std::string& name) const;  ///< throws InputError listing the cases
   GiNaC::ex frequency(std::size_t index) const;                ///< natural frequencies, then excitation frequencies

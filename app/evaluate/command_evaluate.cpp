@@ -12,6 +12,7 @@
 #include "jobs/shared/number_file.hpp"
 #include "jobs/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
+#include "perturb/rest_position.hpp"
 
 namespace secular::app {
 
@@ -34,8 +35,11 @@ void add_evaluate_command(CLI::App* command, Action& chosen) {
       const Model model = read_model(resolve_model(options->model));
       const OmegaPolicy policy = options->policy == "kept" ? OmegaPolicy::kept : OmegaPolicy::nominal;
       const Derivation derivation = derive(model, model.find_case(options->resonance), policy);
-      const std::map<std::string, double> values = read_numbers(options->values);
-      fmt::print("{}", evaluation_json(derivation, values, options->values));
+      std::map<std::string, double> values = read_numbers(options->values);
+      take_rest_position(model, values, options->values);
+      std::map<std::string, double> at = values;
+      add_values_at_rest(model, at);
+      fmt::print("{}", evaluation_json(derivation, at, options->values));
       std::set<std::string, std::less<>> known;
       for (const auto& [name, value] : values)
         if (model.symbols.contains(name)) known.insert(name);

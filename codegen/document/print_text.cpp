@@ -10,6 +10,7 @@
 #include "codegen/canonical/polar_form.hpp"
 #include "codegen/document/cartesian_text.hpp"
 #include "codegen/document/plain_text.hpp"
+#include "codegen/document/rest_lines.hpp"
 #include "codegen/document/steady_statements.hpp"
 #include "codegen/expression/cpp_expression.hpp"
 #include "perturb/ordered_equation.hpp"
@@ -330,6 +331,9 @@ std::string derivation_text(const CanonicalModel& model) {
   std::string text = "Model " + model.name + "\n";
   if (!model.source.empty()) text += "Source: " + model.source + "\n";
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) text += "  " + motion_text(model, k) + "\n";
+  const std::vector<std::string> rest = rest_lines(model);
+  if (!rest.empty()) text += "Coordinates count from the rest position. With it the model as stated has\n";
+  for (const std::string& line : rest) text += "  " + line + "\n";
   text +=
       "Conventions: A is half the peak amplitude (v = A exp(i w t) + conj); F is the peak excitation; frequencies "
       "in "

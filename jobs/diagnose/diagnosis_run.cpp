@@ -120,6 +120,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& camp
   const ModelSource source(request.model, request.interpret, request.note, request.catalogue);
   run.campaign = campaign;
   DiagnosisOptions options = options_of(request);
+  source.take_rest_position(options.given.values, request.parameters_name);
   DisturbanceWatch watch(run.campaign);
   SelectedRecords reader(run.campaign, request.window, watch.look());
   const RecordReader read = [&](std::size_t r) { return reader.read(r); };

@@ -204,6 +204,11 @@ Json json_of(const Identification& identification) {
     result["lumps"].push_back(value_json(value, true, identification.estimate));
   result["covariance"] = covariance_json(identification.estimate);
   add_representative(result, identification);
+  for (const FollowingEstimate& following : identification.following) {
+    Json entry = {{"name", following.name}, {"value", following.value}, {"sd", following.sd}};
+    if (following.doubtful) entry["doubtful"] = true;
+    result["follows_from_rest"].push_back(std::move(entry));
+  }
   Json quality;
   quality["observations"] = observations;
   quality["blocks"] = Json::array();

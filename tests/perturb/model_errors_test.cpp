@@ -66,6 +66,24 @@ TEST(ModelErrors, TowersOfPowersAreRefused) {
                      fmt::format("order = {{ g = 1 }}\nrelations = [\"{}\"]", relation), "model.toml, line");
 }
 
+// Its many factors are multiplied order by order: the limit ends that, here one that is soon reached.
+TEST(ModelErrors, ExpansionsBeyondAllMeasureEnd) {
+  const Model model = read_model_text(
+      "schema = 1\nname = \"m\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = \"w\"\n"
+      "equation = \"D2(x) + w^2*x + k*x*(1+x)^64 = 0\"\n[[case]]\nname = \"c\"\norder = { k = 1 }\n"
+      "excitation = false\n",
+      "model.toml");
+  constexpr std::size_t most = 50'000;
+  try {
+    derive(model, model.cases.at(0), OmegaPolicy::nominal, ProductCount(most));
+    ADD_FAILURE() << "derived";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("more than 50000 products"), std::string::npos) << message;
+    EXPECT_NE(message.find("equation of 'x', term x^"), std::string::npos) << message;
+  }
+}
+
 TEST(ModelErrors, SharedTowersAreRefused) {
   const std::filesystem::path place = testing_support::source_folder() / "../shared/faults/robustness";
   if (!std::filesystem::exists(place)) GTEST_SKIP() << place << " is not there";
