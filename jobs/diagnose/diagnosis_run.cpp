@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "diagnose/verdict/given_numbers.hpp"
+#include "diagnose/verdict/start_values.hpp"
 #include "diagnose/verdict/step_by_step.hpp"
+#include "input/input_error.hpp"
+#include "input/numerical_failure.hpp"
 #include "jobs/identify/full_equations.hpp"
 #include "jobs/shared/compared_records.hpp"
 #include "jobs/shared/left_out.hpp"
@@ -113,6 +116,18 @@ std::vector<EstimatedValue> identified(const DiagnosisRequest& request, const Ca
   return identify_by_modulation(wanted, campaign).estimate.parameters;
 }
 
+// Where zero is no start, what the modulation equations make of dwells and decays may be one.
+void start_by_modulation(const DiagnosisRequest& request, const Campaign& campaign, const TriedModel& tried,
+                         DiagnosisOptions& options) {
+  if (symbols_without_start(*tried.model, options, tried.own).empty()) return;
+  try {
+    for (const EstimatedValue& value : identified(request, campaign))
+      if (value.value && std::isfinite(*value.value)) options.start.emplace(value.name, *value.value);
+  } catch (const InputError&) {  // the message that follows says which numbers are missing
+  } catch (const NumericalFailure&) {
+  }
+}
+
 }  // namespace
 
 DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& campaign) {
@@ -129,6 +144,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& camp
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
   options.forces = tried.forces;
+  start_by_modulation(request, run.campaign, tried, options);
   const std::string unused = unused_numbers(request.parameters_name, options.given.values, *run.model);
   StepwiseDiagnosis steps =
       diagnose_step_by_step({run.campaign, read, *tried.model, tried.own}, tried.effects, std::move(options),
