@@ -7,8 +7,6 @@
 #include "diagnose/verdict/given_numbers.hpp"
 #include "diagnose/verdict/start_values.hpp"
 #include "diagnose/verdict/step_by_step.hpp"
-#include "input/input_error.hpp"
-#include "input/numerical_failure.hpp"
 #include "jobs/identify/full_equations.hpp"
 #include "jobs/shared/compared_records.hpp"
 #include "jobs/shared/left_out.hpp"
@@ -104,28 +102,20 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   return tried;
 }
 
-// What dwells and decays tell of the model as it is; nothing where there are none.
-std::vector<EstimatedValue> identified(const DiagnosisRequest& request, const Campaign& campaign) {
-  if (!holds_dwells_or_decays(campaign, request.window)) return {};
+IdentificationRequest identification_of(const DiagnosisRequest& request) {
   IdentificationRequest wanted;
   wanted.model = request.model;
   wanted.interpret = request.interpret;
   wanted.window = request.window;
   wanted.threads = request.threads;
   wanted.note = request.note;
-  return identify_by_modulation(wanted, campaign).estimate.parameters;
+  return wanted;
 }
 
-// Where zero is no start, what the modulation equations make of dwells and decays may be one.
-void start_by_modulation(const DiagnosisRequest& request, const Campaign& campaign, const TriedModel& tried,
-                         DiagnosisOptions& options) {
-  if (symbols_without_start(*tried.model, options, tried.own).empty()) return;
-  try {
-    for (const EstimatedValue& value : identified(request, campaign))
-      if (value.value && std::isfinite(*value.value)) options.start.emplace(value.name, *value.value);
-  } catch (const InputError&) {  // the message that follows says which numbers are missing
-  } catch (const NumericalFailure&) {
-  }
+// What dwells and decays tell of the model as it is; nothing where there are none.
+std::vector<EstimatedValue> identified(const DiagnosisRequest& request, const Campaign& campaign) {
+  if (!holds_dwells_or_decays(campaign, request.window)) return {};
+  return identify_by_modulation(identification_of(request), campaign).estimate.parameters;
 }
 
 }  // namespace
@@ -144,7 +134,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& camp
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
   options.forces = tried.forces;
-  start_by_modulation(request, run.campaign, tried, options);
+  if (std::string why; !symbols_without_start(*tried.model, options, tried.own).empty())
+    options.start.merge(start_by_modulation(identification_of(request), run.campaign, why));
   const std::string unused = unused_numbers(request.parameters_name, options.given.values, *run.model);
   StepwiseDiagnosis steps =
       diagnose_step_by_step({run.campaign, read, *tried.model, tried.own}, tried.effects, std::move(options),
