@@ -166,6 +166,17 @@ void take_reference(const TomlTable& root, Model& model) {
   for (const std::string& name : model.rest->symbols) need(name);
 }
 
+// Of the factors of frequencies that are rational numbers.
+GiNaC::numeric common_denominator(const GiNaC::ex& difference, const Model& model) {
+  GiNaC::numeric common = 1;
+  for (std::size_t i = 0; i < model.frequency_count(); ++i) {
+    const GiNaC::ex multiple = difference.coeff(model.frequency(i), 1);
+    if (GiNaC::is_a<GiNaC::numeric>(multiple) && GiNaC::ex_to<GiNaC::numeric>(multiple).is_rational())
+      common = GiNaC::lcm(common, GiNaC::ex_to<GiNaC::numeric>(multiple).denom());
+  }
+  return common;
+}
+
 ResonanceRelation read_relation(const TomlTable& table, const std::string& text, Model& model) {
   const FormulaSource source{text, table.file(), table.line_of("relations")};
   const Equation equation = parse_equation(source);
@@ -197,17 +208,21 @@ ResonanceRelation read_relation(const TomlTable& table, const std::string& text,
     detuning = symbol.text;
     return model.symbols.add_real(symbol.text);
   };
-  const GiNaC::ex difference =
+  GiNaC::ex difference =
       (formula_value(equation.left, source, value_of) - formula_value(equation.right.front(), source, value_of))
           .expand();
+  difference *= common_denominator(difference, model);
+  difference = difference.expand();
   GiNaC::ex rest = difference;
-  const std::string expected = "an integer relation was expected, as in Omega = 2*omega0 + eps^2*sigma";
+  const std::string expected =
+      "multiples and integer fractions were expected, as in Omega = 2*omega0 + eps^2*sigma or Omega = omega0/3 + "
+      "eps^2*sigma";
   for (std::size_t i = 0; i < model.frequency_count(); ++i) {
     const GiNaC::ex multiple = difference.coeff(model.frequency(i), 1);
     if (!GiNaC::is_a<GiNaC::numeric>(multiple) || !GiNaC::ex_to<GiNaC::numeric>(multiple).is_integer() ||
         GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(multiple)) > largest_multiple)
       fail_at(source, {source.first_line, 1},
-              "the factor of " + model.frequency_name(i) + " is not an integer up to " +
+              "the factor of " + model.frequency_name(i) + " is no ratio of integers up to " +
                   std::to_string(largest_multiple),
               expected);
     relation.multiples.push_back(GiNaC::ex_to<GiNaC::numeric>(multiple).to_int());

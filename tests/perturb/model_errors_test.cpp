@@ -103,8 +103,9 @@ TEST(ModelErrors, OrdersAndResonances) {
   expect_complaint("D2(x) + 2*w^2*x = -g*x^3", "order = { g = 1 }\nexcitation = false",
                    "its linear part at order eps^0 is 2*w^2*x, not w^2*x");
   expect_complaint("D2(x) + w^2*x = -g*x^3", "order = { h = 1 }", "no coefficient symbol");
-  expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)", "order = { g = 1 }\nrelations = [\"Omega = 1.5*w + eps*s\"]",
-                   "not an integer");
+  expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)",
+                   "order = { g = 1 }\nrelations = [\"Omega = w/2000 + eps*s\"]",
+                   "no ratio of integers up to 1000");
   expect_complaint("D2(x) + w^2*x = g*F*cos(Omega*t)",
                    "order = { g = 1 }\nrelations = [\"Omega = w + eps*s\", \"Omega = 2*w + eps*q\"]",
                    "together make");
