@@ -7,6 +7,7 @@
 
 #include "input/input_error.hpp"
 #include "input/toml_table.hpp"
+#include "perturb/automatic_order.hpp"
 #include "perturb/formula_value.hpp"
 #include "perturb/rest_position.hpp"
 
@@ -257,6 +258,12 @@ void read_order(const TomlTable& table, const Model& model, ResonanceCase& reson
   // Coefficients about rest are composite.
   if (model.rest) resonance.degree_ordering = true;
   if (!table.has("order")) return;
+  if (table.is_string("order")) {
+    if (table.string("order") != "auto")
+      table.fail("order", "is '" + table.string("order") + "'", "\"auto\" or a table was expected, as { mu = 2 }");
+    resonance.automatic_order = true;
+    return;
+  }
   const TomlTable order = table.table("order");
   for (const std::string& symbol : order.keys()) {
     const std::int64_t power = order.integer(symbol);
@@ -357,6 +364,8 @@ Model read(const TomlTable& root) {
   read_cases(root, model);
   read_shorthands(root, model);
   read_nominal(root, model);
+  for (ResonanceCase& resonance : model.cases)
+    if (resonance.automatic_order) choose_orders(model, resonance);
   return model;
 }
 

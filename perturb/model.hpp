@@ -51,6 +51,7 @@ struct ResonanceCase {
   /// Coefficients of added effects: what the expansion does not reach still acts in the full equations.
   std::set<std::string> may_act_nowhere;
   bool degree_ordering = false;
+  bool automatic_order = false;  ///< `order` is what choose_orders found
   int expand_to = 2;
   std::vector<bool> mode_at_rest;
   bool excited = true;

@@ -47,6 +47,12 @@ class MultipleScales {
       for (FieldSeries& series : *fields)
         for (Field& field : series) field = inverses_.written_out(field);
     d_.warnings = small_divisor_warnings(d_);
+    for (const ResonanceRelation& relation : resonance_.relations)
+      if (!relation.detuning.empty() && relation.order > resonance_.expand_to)
+        d_.warnings.push_back(fmt::format(
+            "the detuning {} is of order eps^{}, and the case expands to eps^{}: what it changes in harmonics and "
+            "coefficients is left out; write eps^{}*{}",
+            relation.detuning, relation.order, resonance_.expand_to, resonance_.expand_to, relation.detuning));
   }
 
  private:

@@ -351,7 +351,8 @@ class TermReader {
         if (whole.has(model_.symbols.at(excitation.amplitude)))
           fail_at(source_, place, excitation.amplitude + " without its cos(" + excitation.frequency + "*t)",
                   "the excitation enters as " + excitation.amplitude + "*cos(" + excitation.frequency +
-                      "*t), written as one product");
+                      "*t), written as one product; a second frequency is one of its own, F2*cos(Omega2*t), with a "
+                      "relation as Omega2 = 2*Omega");
     return sum;
   }
 

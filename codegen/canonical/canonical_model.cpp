@@ -248,6 +248,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
                         std::max(certificate.nonsmooth_error, smallest_nonsmooth_error),
                         certificate.remainders};
   result.warnings = nominal.warnings;
+  if (resonance.automatic_order) result.chosen_orders = resonance.order;
   step_done();
   if (!observed_frequencies(nominal)) {
     step_done();

@@ -142,6 +142,7 @@ struct CanonicalCase {
   std::vector<CanonicalBlock> blocks;
   CanonicalCertificate certificate;
   std::vector<std::string> warnings;
+  std::map<std::string, int> chosen_orders;  ///< by coefficient, where `order` is "auto"; the others have 0
 };
 
 /// The value at rest of a function of coordinates: a symbol beside the parameters, which it follows from.

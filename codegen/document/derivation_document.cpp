@@ -9,6 +9,7 @@
 
 #include "codegen/canonical/generated_lump.hpp"
 #include "codegen/document/look_alikes.hpp"
+#include "codegen/document/orders_text.hpp"
 #include "codegen/document/rest_lines.hpp"
 #include "codegen/document/steady_statements.hpp"
 #include "codegen/document/typeset_equations.hpp"
@@ -95,6 +96,7 @@ class Writer {
       equations(std::move(relations));
     }
     text({"Order of expansion: ", power(symbol("eps"), c.expand_to), c.excited ? "." : "; no excitation."});
+    if (!c.chosen_orders.empty()) text({"Orders: " + orders_text(c) + "."});
     for (const std::string& warning : c.warnings) text({"Warning: " + warning}, Paragraph::Tone::bad);
     functions(c);
     expansion(c);

@@ -66,6 +66,7 @@ std::string derivation_json(const CanonicalModel& model) {
     Json entry;
     entry["case"] = c.name;
     entry["expand_to"] = c.expand_to;
+    for (const auto& [name, order] : c.chosen_orders) entry["order"][name] = order;
     entry["relations"] = Json::array();
     for (const CanonicalRelation& relation : c.relations) entry["relations"].push_back(relation.text);
     for (std::size_t k = 0; k < model.coordinates.size(); ++k) {

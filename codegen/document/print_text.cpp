@@ -9,6 +9,7 @@
 #include "codegen/canonical/free_name.hpp"
 #include "codegen/canonical/polar_form.hpp"
 #include "codegen/document/cartesian_text.hpp"
+#include "codegen/document/orders_text.hpp"
 #include "codegen/document/plain_text.hpp"
 #include "codegen/document/rest_lines.hpp"
 #include "codegen/document/steady_statements.hpp"
@@ -204,6 +205,7 @@ std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
   std::string text = "\nCase " + c.name + "\n" + std::string(5 + c.name.size(), '=') + "\n";
   for (const CanonicalRelation& relation : c.relations) text += "  resonance: " + relation.text + "\n";
   text += fmt::format("  order of expansion: eps^{}{}\n", c.expand_to, c.excited ? "" : "; no excitation");
+  if (!c.chosen_orders.empty()) text += "  orders: " + orders_text(c) + "\n";
   for (const std::string& warning : c.warnings) text += "  WARNING: " + warning + "\n";
   const std::size_t modes = model.coordinates.size();
   if (!c.series.empty()) text += "\nFunctions, by their series about rest as far as this case needs them\n";

@@ -95,6 +95,12 @@ TEST(ModelErrors, SharedTowersAreRefused) {
     }
 }
 
+TEST(ModelErrors, NamesOfOtherLanguagesAndDelays) {
+  expect_complaint("D2(x) + w^2*x = -g*ln(1 + x)", "excitation = false", "write log(...)");
+  expect_complaint("D2(x) + w^2*x = -g*pow(x, 3)", "excitation = false", "as x^3");
+  expect_complaint("D2(x) + w^2*x = -g*x(t - tau)", "excitation = false", "its series, x - tau*D(x)");
+}
+
 TEST(ModelErrors, OrdersAndResonances) {
   expect_complaint("D2(x) + w^2*x = -g*x^3", "excitation = false",
                    "coefficient symbol 'g' (term x^3) has no order");
