@@ -99,6 +99,11 @@ bool TomlTable::has(std::string_view key) const {
   return as_table(node_).contains(key);
 }
 
+bool TomlTable::is_string(std::string_view key) const {
+  const toml::node* const node = as_table(node_).get(key);
+  return node != nullptr && node->is_string();
+}
+
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, value] : as_table(node_)) names.emplace_back(key.str());

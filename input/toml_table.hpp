@@ -31,7 +31,8 @@ class TomlTable {
 
   /// Whatever its value is.
   bool has(std::string_view key) const;
-  std::vector<std::string> keys() const;  ///< in alphabetical order
+  bool is_string(std::string_view key) const;  ///< whether it is there and of that type
+  std::vector<std::string> keys() const;       ///< in alphabetical order
 
   // Values of a key, which must be there and of that type; `..._or` and `optional_...` ask no more of a key than
   // that its value, if there is one, is of that type.

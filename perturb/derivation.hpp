@@ -54,6 +54,7 @@ struct Derivation {
 /// Throws InputError for what cannot be derived (see ordered_equations; nonsmooth terms that would have to be
 /// expanded about their own infinitely many harmonics; resonances impossible at the nominal frequencies). `model`
 /// must outlive the result.
-Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy = OmegaPolicy::nominal);
+Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy = OmegaPolicy::nominal,
+                  ProductCount products = ProductCount());
 
 }  // namespace secular

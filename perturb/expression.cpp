@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -159,8 +160,8 @@ class Parser {
                   "write " + name + "(...); a symbol cannot have the name of a function");
         return Expression{Expression::Kind::symbol, at, std::move(name), {}};
       }
-      if (!function) fail_at(source_, at, "unknown function " + name, "known are " + function_list());
       advance();
+      if (!function) refuse_function(name, at);
       std::vector<Expression> arguments;
       arguments.push_back(sum());
       while (take(',')) arguments.push_back(sum());
@@ -214,6 +215,23 @@ class Parser {
       fail_at(source_, place(), "a symbol directly after the number " + text, "write '*' between them");
     skip_blanks();
     return text;
+  }
+
+  // Behind the parenthesis of a function that is none.
+  [[noreturn]] void refuse_function(const std::string& name, SourcePlace at) {
+    static const std::map<std::string, std::string> others = {{"ln", "log(...), the natural one"},
+                                                              {"arctan", "atan(...)"},
+                                                              {"sign", "sgn(...)"},
+                                                              {"signum", "sgn(...)"},
+                                                              {"fabs", "abs(...)"},
+                                                              {"pow", "a power with ^, as x^3"}};
+    if (const auto other = others.find(name); other != others.end())
+      fail_at(source_, at, "unknown function " + name, "write " + other->second);
+    if (starts_identifier(next()) && identifier_text() == "t")
+      fail_at(source_, at, "unknown function " + name + " of the time",
+              "coordinates are written alone, as they are now; a short delay of one is its series, " + name +
+                  " - tau*D(" + name + ")");
+    fail_at(source_, at, "unknown function " + name, "known are " + function_list());
   }
 
   std::string identifier_text() {

@@ -1,6 +1,8 @@
 #include "perturb/field.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace secular {
@@ -82,26 +84,32 @@ Field Field::with_symbols(const GiNaC::exmap& values) const {
 namespace {
 
 void accumulate(const std::vector<const FieldSeries*>& factors, std::size_t first, int order, const Field* partial,
-                Field& result) {
+                Field& result, ProductCount& count) {
   const FieldSeries& series = *factors[first];
   const bool last = first + 1 == factors.size();
   for (int n = last ? order : 0; n <= order; ++n) {
     if (static_cast<std::size_t>(n) >= series.size() || series[static_cast<std::size_t>(n)].empty()) continue;
     const Field& here = series[static_cast<std::size_t>(n)];
+    if (partial) count.add(partial->terms().size() * here.terms().size());
     const Field product = partial ? *partial * here : here;
     if (last)
       result += product;
     else
-      accumulate(factors, first + 1, order - n, &product, result);
+      accumulate(factors, first + 1, order - n, &product, result, count);
   }
 }
 
 }  // namespace
 
-Field product_at_order(const std::vector<const FieldSeries*>& factors, int order) {
+void ProductCount::add(std::size_t products) {
+  if ((count_ += products) > limit_)
+    throw std::length_error("has more than " + std::to_string(limit_) + " products of terms in its expansion");
+}
+
+Field product_at_order(const std::vector<const FieldSeries*>& factors, int order, ProductCount& count) {
   Field result;
   if (factors.empty() || order < 0) return result;
-  accumulate(factors, 0, order, nullptr, result);
+  accumulate(factors, 0, order, nullptr, result, count);
   return result;
 }
 

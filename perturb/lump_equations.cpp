@@ -14,6 +14,7 @@
 #include "perturb/factored_fraction.hpp"
 #include "perturb/formula_value.hpp"
 #include "perturb/prime_field.hpp"
+#include "perturb/rest_position.hpp"
 #include "perturb/row_reduction.hpp"
 
 namespace secular {
@@ -22,11 +23,18 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
+std::vector<std::string> coefficient_names(const Model& model) {
+  std::vector<std::string> names = model.parameters;
+  if (model.rest)
+    for (const RestValue& value : model.rest->values) names.push_back(value.name);
+  return names;
+}
+
 class LumpFinder {
  public:
   LumpFinder(const Model& model, FractionSums& sums)
-      : model_(model), sums_(sums), first_(point(1)), second_(point(2)) {
-    for (const std::string& name : model.parameters) parameters_.push_back(sums.place(model.symbols.at(name)));
+      : model_(model), sums_(sums), names_(coefficient_names(model)), first_(point(1)), second_(point(2)) {
+    for (const std::string& name : names_) parameters_.push_back(sums.place(model.symbols.at(name)));
     for (const Shorthand& shorthand : model.shorthands)
       named_.push_back(candidate(
           shorthand.name, read(formula_value(shorthand.expression, shorthand.source,
@@ -38,26 +46,11 @@ class LumpFinder {
     std::vector<FactoredFraction> factor;
   };
 
-  // coefficient = factor(frequencies) * lump. Nothing if the only fitting lump would depend on an excitation
-  // frequency.
-  std::optional<Split> split(const FractionTerms& coefficient, const std::string& fallback_name) {
-    std::vector<std::size_t> present;
-    for (std::size_t p = 0; p < parameters_.size(); ++p)
-      if (sums_.has(coefficient, parameters_[p])) present.push_back(p);
-    if (present.empty()) return Split{use(candidate("one", read(1))), sums_.parts(coefficient)};
-    if (auto split = product_times_sum(coefficient)) return split;
-    Candidate whole = candidate(fallback_name, coefficient);
-    if (present.size() == 1) {
-      const std::string& name = model_.parameters[present.front()];
-      Candidate single = candidate(name, read(model_.symbols.at(name)));
-      if (auto ratio = proportion(whole, single)) return Split{use(std::move(single)), {std::move(*ratio)}};
-    }
-    for (const std::vector<Candidate>* candidates : {&named_, &used_})
-      for (const Candidate& other : *candidates)
-        if (auto ratio = proportion(whole, other)) return Split{use(other), {std::move(*ratio)}};
-    for (const Excitation& excitation : model_.excitations)
-      if (sums_.has(coefficient, sums_.place(model_.symbols.at(excitation.frequency)))) return std::nullopt;
-    return Split{use(std::move(whole)), {sums_.sum(read(1))}};
+  // coefficient = sum of factor(frequencies) * lump: one where possible; where one lump would depend on an
+  // excitation frequency a sum, if the frequency `is_free`. Nothing if it would even so.
+  std::vector<Split> split(const FractionTerms& coefficient, const std::string& fallback_name, bool is_free) {
+    if (auto one = single_split(coefficient, fallback_name)) return {std::move(*one)};
+    return is_free ? split_by_products(coefficient) : std::vector<Split>();
   }
 
   std::vector<Lump> lumps() const {
@@ -79,6 +72,44 @@ class LumpFinder {
     PrimeFieldComplex first, second;
   };
 
+  std::optional<Split> single_split(const FractionTerms& coefficient, const std::string& fallback_name) {
+    std::vector<std::size_t> present;
+    for (std::size_t p = 0; p < parameters_.size(); ++p)
+      if (sums_.has(coefficient, parameters_[p])) present.push_back(p);
+    if (present.empty()) return Split{use(candidate("one", read(1))), sums_.parts(coefficient)};
+    if (auto split = product_times_sum(coefficient)) return split;
+    Candidate whole = candidate(fallback_name, coefficient);
+    if (present.size() == 1) {
+      const std::string& name = names_[present.front()];
+      Candidate single = candidate(name, read(model_.symbols.at(name)));
+      if (auto ratio = proportion(whole, single)) return Split{use(std::move(single)), {std::move(*ratio)}};
+    }
+    for (const std::vector<Candidate>* candidates : {&named_, &used_})
+      for (const Candidate& other : *candidates)
+        if (auto ratio = proportion(whole, other)) return Split{use(other), {std::move(*ratio)}};
+    for (const Excitation& excitation : model_.excitations)
+      if (sums_.has(coefficient, sums_.place(model_.symbols.at(excitation.frequency)))) return std::nullopt;
+    return Split{use(std::move(whole)), {sums_.sum(read(1))}};
+  }
+
+  // Each product of parameters is a lump and what stands with it its factor. None where a divisor holds a
+  // parameter.
+  std::vector<Split> split_by_products(const FractionTerms& coefficient) {
+    std::map<std::vector<int>, FractionTerms> of_product;
+    for (FractionTerm term : coefficient) {
+      std::vector<int> product(term.powers.size(), 0);
+      for (const std::size_t place : parameters_) product[place] = std::exchange(term.powers[place], 0);
+      of_product[product].push_back(std::move(term));
+    }
+    std::vector<Split> splits;
+    for (const auto& [powers, frequencies] : of_product) {
+      if (holds_parameters(frequencies)) return {};
+      std::vector<FactoredFraction> factor = sums_.parts(frequencies);
+      if (!factor.empty()) splits.push_back({use_product(powers), std::move(factor)});
+    }
+    return splits;
+  }
+
   FractionTerms read(const ex& definition) {
     std::optional<FractionTerms> terms = sums_.terms(definition.expand());
     if (!terms) throw std::logic_error("a lump is not rational in the model's symbols");
@@ -94,28 +125,33 @@ class LumpFinder {
   // lump. Ratios of such sums would have one of them multiplied out as their denominator.
   std::optional<Split> product_times_sum(const FractionTerms& coefficient) {
     FractionTerms frequencies = coefficient;
-    const std::vector<int> powers = coefficient.front().powers;
-    FractionTerm product{1, 0, std::vector<int>(powers.size(), 0), {}};
-    std::string name = "product";
-    for (std::size_t p = 0; p < parameters_.size(); ++p) {
-      const std::size_t place = parameters_[p];
-      const int power = powers[place];
+    std::vector<int> product(coefficient.front().powers.size(), 0);
+    for (const std::size_t place : parameters_) {
+      product[place] = coefficient.front().powers[place];
       for (FractionTerm& term : frequencies)
-        if (std::exchange(term.powers[place], 0) != power) return std::nullopt;
-      product.powers[place] = power;
-      if (power == 0) continue;
-      name += "_" + model_.parameters[p];
-      if (power != 1) name += (power < 0 ? "m" : "") + std::to_string(std::abs(power));
+        if (std::exchange(term.powers[place], 0) != product[place]) return std::nullopt;
     }
-    if (std::any_of(parameters_.begin(), parameters_.end(),
-                    [&](std::size_t parameter) { return sums_.has(frequencies, parameter); }))
-      return std::nullopt;
+    if (holds_parameters(frequencies)) return std::nullopt;
     std::vector<FactoredFraction> factor = sums_.parts(frequencies);
     if (factor.size() < 2) return std::nullopt;
-    const bool single = std::accumulate(product.powers.begin(), product.powers.end(), 0) == 1 &&
-                        std::count(product.powers.begin(), product.powers.end(), 0) + 1 ==
-                            static_cast<std::ptrdiff_t>(product.powers.size());
-    return Split{use(candidate(single ? name.substr(8) : name, {product})), std::move(factor)};
+    return Split{use_product(product), std::move(factor)};
+  }
+
+  bool holds_parameters(const FractionTerms& terms) const {
+    return std::any_of(parameters_.begin(), parameters_.end(),
+                       [&](std::size_t parameter) { return sums_.has(terms, parameter); });
+  }
+
+  // The lump that is a product of parameters: a parameter, or product_a_b2. `powers`: of all symbols.
+  std::size_t use_product(const std::vector<int>& powers) {
+    std::string name = "product";
+    for (std::size_t p = 0; p < parameters_.size(); ++p)
+      if (const int power = powers[parameters_[p]]; power != 0)
+        name += "_" + names_[p] + (power == 1 ? "" : (power < 0 ? "m" : "") + std::to_string(std::abs(power)));
+    const bool single =
+        std::accumulate(powers.begin(), powers.end(), 0) == 1 &&
+        std::count(powers.begin(), powers.end(), 0) + 1 == static_cast<std::ptrdiff_t>(powers.size());
+    return use(candidate(single ? name.substr(8) : name, {FractionTerm{1, 0, powers, {}}}));
   }
 
   // All symbols from draw 0, parameters from the one given.
@@ -123,7 +159,7 @@ class LumpFinder {
     std::vector<PrimeFieldComplex> values(model_.symbols.names().size() + 1, random_value("Pi", 0));
     for (const std::string& name : model_.symbols.names())
       values[sums_.place(model_.symbols.at(name))] = random_value(name, 0);
-    for (const std::string& name : model_.parameters)
+    for (const std::string& name : names_)
       values[sums_.place(model_.symbols.at(name))] = random_value(name, parameter_draw);
     return FractionPoint(sums_, std::move(values));
   }
@@ -145,8 +181,7 @@ class LumpFinder {
                      [&](std::size_t parameter) { return sums_.has(result, parameter); }))
       return sums_.sum(result);
     GiNaC::exmap numbers;  // parameters in divisors
-    for (std::size_t p = 0; p < parameters_.size(); ++p)
-      numbers[model_.symbols.at(model_.parameters[p])] = values[p];
+    for (std::size_t p = 0; p < parameters_.size(); ++p) numbers[model_.symbols.at(names_[p])] = values[p];
     try {
       return sums_.sum(read(sums_.expression(result).subs(numbers, GiNaC::subs_options::no_pattern)));
     } catch (const GiNaC::pole_error&) {
@@ -197,6 +232,7 @@ class LumpFinder {
 
   const Model& model_;
   FractionSums& sums_;
+  std::vector<std::string> names_;  // of parameters, and of values at rest, which follow from them
   FractionPoint first_, second_;
   std::vector<std::size_t> parameters_;  // places of their symbols
   std::vector<Candidate> named_;
@@ -258,9 +294,10 @@ std::vector<DetunedPart> without_detunings(const Derivation& d, FractionTerms co
   return parts;
 }
 
-// A term of a field with its key, in a fixed order (by key).
+// A term of a field with its key, in a fixed order (by key). In the nominal derivation an excitation frequency that
+// is left is one that no relation fixes; in the other one there are coefficients that are simpler without it.
 bool append_terms(LumpEquation& block, LumpFinder& finder, const Derivation& d, FractionSums& sums,
-                  const std::vector<std::pair<FieldKey, ex>>& terms) {
+                  const std::vector<std::pair<FieldKey, ex>>& terms, bool is_nominal) {
   for (const auto& [key, coefficient] : terms) {
     const std::optional<FractionTerms> whole = sums.terms(coefficient);
     if (!whole) throw std::logic_error("a coefficient is not rational in the model's symbols");
@@ -272,13 +309,15 @@ bool append_terms(LumpEquation& block, LumpFinder& finder, const Derivation& d, 
       const std::string name =
           kind + d.model->modes[block.mode].coordinate + "_" + powers_name(key, d.layout, *d.model);
       for (const DetunedPart& detuned : without_detunings(d, std::move(part), sums)) {
-        auto split = finder.split(detuned.coefficient, name + detuned.suffix);
-        if (!split) return false;
-        auto column = std::find_if(block.columns.begin(), block.columns.end(),
-                                   [&](const LumpEquation::Column& c) { return c.lump == split->lump; });
-        if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split->lump, {}});
-        for (FactoredFraction& factor : split->factor) factor = sums.product(factor, detuned.detunings);
-        column->terms.push_back({std::move(split->factor), imaginary, key});
+        auto splits = finder.split(detuned.coefficient, name + detuned.suffix, is_nominal);
+        if (splits.empty()) return false;
+        for (LumpFinder::Split& split : splits) {
+          auto column = std::find_if(block.columns.begin(), block.columns.end(),
+                                     [&](const LumpEquation::Column& c) { return c.lump == split.lump; });
+          if (column == block.columns.end()) column = block.columns.insert(block.columns.end(), {split.lump, {}});
+          for (FactoredFraction& factor : split.factor) factor = sums.product(factor, detuned.detunings);
+          column->terms.push_back({std::move(split.factor), imaginary, key});
+        }
       }
     }
   }
@@ -451,10 +490,10 @@ LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept, 
     if (nominal.resonance->mode_at_rest[k]) continue;
     LumpEquation block;
     block.mode = k;
-    if (!append_terms(block, finder, nominal, sums, terms_of(nominal.modulation(k))))
+    if (!append_terms(block, finder, nominal, sums, terms_of(nominal.modulation(k)), true))
       throw InputError(model.file, "case " + nominal.resonance->name,
-                       "a lump depends on an excitation frequency that no relation fixes",
-                       "relate the excitation frequency to a natural one");
+                       "a coefficient stands in a divisor with an excitation frequency that no relation fixes",
+                       "relate the excitation frequency to a natural one, or give that coefficient a higher order");
     if (!block.columns.empty()) result.blocks.push_back(std::move(block));
   }
   for (std::size_t k = 0; k < nominal.layout.modes; ++k) {
@@ -471,13 +510,13 @@ LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept, 
       if (same != kept_blocks.end()) {
         LumpEquation attempt = *same;
         if (append_terms(attempt, finder, kept, sums,
-                         kept_terms[static_cast<std::size_t>(same - kept_blocks.begin())])) {
+                         kept_terms[static_cast<std::size_t>(same - kept_blocks.begin())], false)) {
           result.blocks.push_back(std::move(attempt));
           continue;
         }
         finder.forget_after(lumps_before);
       }
-      if (append_terms(nominal_blocks[b], finder, nominal, sums, nominal_terms[b]))
+      if (append_terms(nominal_blocks[b], finder, nominal, sums, nominal_terms[b], true))
         result.blocks.push_back(std::move(nominal_blocks[b]));
     }
   }

@@ -7,7 +7,9 @@
 
 #include "input/input_error.hpp"
 #include "input/toml_table.hpp"
+#include "perturb/automatic_order.hpp"
 #include "perturb/formula_value.hpp"
+#include "perturb/rest_position.hpp"
 
 namespace secular {
 namespace {
@@ -53,7 +55,7 @@ std::string identifier(const TomlTable& table, const std::string& key) {
 void read_modes(const TomlTable& root, Model& model) {
   const bool lagrangian = root.has("lagrangian");
   for (const TomlTable& table : root.tables("mode")) {
-    table.refuse_unknown_keys({"coordinate", "frequency", "equation", "force"});
+    table.refuse_unknown_keys({"coordinate", "frequency", "equation", "force", "rest"});
     Mode mode;
     mode.coordinate = identifier(table, "coordinate");
     mode.frequency = identifier(table, "frequency");
@@ -126,8 +128,54 @@ void declare_symbols(Model& model) {
     if (name == "pi") throw InputError(model.file, "", "symbol pi in an equation", "the number is written Pi");
     if (coordinates.count(name) || is_reserved(name) || model.symbols.contains(name)) continue;
     model.symbols.add_real(name);
-    model.parameters.push_back(name);
+    if (!model.rest || !model.rest->is_value(name)) model.parameters.push_back(name);
   }
+}
+
+// By mode: the name that the file gives to the rest position.
+std::vector<std::string> rest_names(const TomlTable& root) {
+  std::vector<std::string> names;
+  for (const TomlTable& table : root.tables("mode")) {
+    if (table.has("rest") && !root.has("reference"))
+      table.fail("rest", "names a rest position of a model whose coordinates count from zero",
+                 "write reference = \"rest\" at the head of the file");
+    names.push_back(table.has("rest") ? identifier(table, "rest") : "");
+  }
+  return names;
+}
+
+void take_reference(const TomlTable& root, Model& model) {
+  const std::vector<std::string> names = rest_names(root);
+  if (!root.has("reference")) return;
+  if (root.string("reference") != "rest")
+    root.fail("reference", "is '" + root.string("reference") + "'", "'rest' was expected, or no such key");
+  model = about_rest(std::move(model), names);
+  model.symbols = {};
+  model.parameters.clear();
+  model.excitations.clear();
+  declare_symbols(model);
+  // What stands in values of functions alone.
+  const auto need = [&](const std::string& name) {
+    if (name.empty() || model.symbols.contains(name)) return;
+    model.symbols.add_real(name);
+    if (!model.rest->is_value(name)) model.parameters.push_back(name);
+  };
+  for (const RestValue& value : model.rest->values) {
+    need(value.name);
+    for (const std::string& name : identifiers(value.argument)) need(name);
+  }
+  for (const std::string& name : model.rest->symbols) need(name);
+}
+
+// Of the factors of frequencies that are rational numbers.
+GiNaC::numeric common_denominator(const GiNaC::ex& difference, const Model& model) {
+  GiNaC::numeric common = 1;
+  for (std::size_t i = 0; i < model.frequency_count(); ++i) {
+    const GiNaC::ex multiple = difference.coeff(model.frequency(i), 1);
+    if (GiNaC::is_a<GiNaC::numeric>(multiple) && GiNaC::ex_to<GiNaC::numeric>(multiple).is_rational())
+      common = GiNaC::lcm(common, GiNaC::ex_to<GiNaC::numeric>(multiple).denom());
+  }
+  return common;
 }
 
 ResonanceRelation read_relation(const TomlTable& table, const std::string& text, Model& model) {
@@ -161,17 +209,21 @@ ResonanceRelation read_relation(const TomlTable& table, const std::string& text,
     detuning = symbol.text;
     return model.symbols.add_real(symbol.text);
   };
-  const GiNaC::ex difference =
+  GiNaC::ex difference =
       (formula_value(equation.left, source, value_of) - formula_value(equation.right.front(), source, value_of))
           .expand();
+  difference *= common_denominator(difference, model);
+  difference = difference.expand();
   GiNaC::ex rest = difference;
-  const std::string expected = "an integer relation was expected, as in Omega = 2*omega0 + eps^2*sigma";
+  const std::string expected =
+      "multiples and integer fractions were expected, as in Omega = 2*omega0 + eps^2*sigma or Omega = omega0/3 + "
+      "eps^2*sigma";
   for (std::size_t i = 0; i < model.frequency_count(); ++i) {
     const GiNaC::ex multiple = difference.coeff(model.frequency(i), 1);
     if (!GiNaC::is_a<GiNaC::numeric>(multiple) || !GiNaC::ex_to<GiNaC::numeric>(multiple).is_integer() ||
         GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(multiple)) > largest_multiple)
       fail_at(source, {source.first_line, 1},
-              "the factor of " + model.frequency_name(i) + " is not an integer up to " +
+              "the factor of " + model.frequency_name(i) + " is no ratio of integers up to " +
                   std::to_string(largest_multiple),
               expected);
     relation.multiples.push_back(GiNaC::ex_to<GiNaC::numeric>(multiple).to_int());
@@ -203,13 +255,23 @@ void read_order(const TomlTable& table, const Model& model, ResonanceCase& reson
       table.fail("ordering", "is '" + table.string("ordering") + "'", "'degree' was expected, or no such key");
     resonance.degree_ordering = true;
   }
+  // Coefficients about rest are composite.
+  if (model.rest) resonance.degree_ordering = true;
   if (!table.has("order")) return;
+  if (table.is_string("order")) {
+    if (table.string("order") != "auto")
+      table.fail("order", "is '" + table.string("order") + "'", "\"auto\" or a table was expected, as { mu = 2 }");
+    resonance.automatic_order = true;
+    return;
+  }
   const TomlTable order = table.table("order");
   for (const std::string& symbol : order.keys()) {
     const std::int64_t power = order.integer(symbol);
     if (power < 0 || power > highest_order)
       order.fail(symbol, "is " + std::to_string(power),
                  "a power of eps from 0 to " + std::to_string(highest_order));
+    if (model.rest && model.rest->holds(symbol))
+      order.fail(symbol, "follows from the rest position and the natural frequencies", "remove the entry");
     if (std::find(model.parameters.begin(), model.parameters.end(), symbol) == model.parameters.end())
       order.fail(symbol, "is no coefficient symbol of this model's equations",
                  "remove the entry or correct the symbol");
@@ -275,10 +337,11 @@ void read_nominal(const TomlTable& root, Model& model) {
   if (!root.has("nominal")) return;
   const TomlTable table = root.table("nominal");
   for (const std::string& name : table.keys()) {
-    if (!model.symbols.contains(name))
+    if (!model.symbols.contains(name) && !(model.rest && model.rest->holds(name)))
       table.fail(name, "is no symbol of this model", "remove the entry or correct the symbol");
     model.nominal[name] = table.number(name);
   }
+  if (model.rest) take_rest_position(model, model.nominal, table.file() + ", [nominal]");
   for (std::size_t i = 0; i < model.frequency_count(); ++i) {
     const auto entry = model.nominal.find(model.frequency_name(i));
     if (entry != model.nominal.end() && entry->second <= 0)
@@ -287,7 +350,8 @@ void read_nominal(const TomlTable& root, Model& model) {
 }
 
 Model read(const TomlTable& root) {
-  root.refuse_unknown_keys({"schema", "name", "source", "mode", "case", "nominal", "lagrangian", "shorthand"});
+  root.refuse_unknown_keys(
+      {"schema", "name", "source", "mode", "case", "nominal", "lagrangian", "shorthand", "reference"});
   if (root.integer("schema") != 1)
     root.fail("schema", "is " + std::to_string(root.integer("schema")), "this program reads schema 1");
   Model model;
@@ -296,9 +360,12 @@ Model read(const TomlTable& root) {
   model.source = root.string_or("source", "");
   read_modes(root, model);
   declare_symbols(model);
+  take_reference(root, model);
   read_cases(root, model);
   read_shorthands(root, model);
   read_nominal(root, model);
+  for (ResonanceCase& resonance : model.cases)
+    if (resonance.automatic_order) choose_orders(model, resonance);
   return model;
 }
 

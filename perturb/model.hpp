@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -50,6 +51,7 @@ struct ResonanceCase {
   /// Coefficients of added effects: what the expansion does not reach still acts in the full equations.
   std::set<std::string> may_act_nowhere;
   bool degree_ordering = false;
+  bool automatic_order = false;  ///< `order` is what choose_orders found
   int expand_to = 2;
   std::vector<bool> mode_at_rest;
   bool excited = true;
@@ -70,6 +72,8 @@ struct Lagrangian {
   Expression kinetic, potential;
 };
 
+struct RestPosition;
+
 /// A model file (schema 1), read and checked. Physics once, resonance cases many.
 struct Model {
   std::string file;
@@ -84,6 +88,9 @@ struct Model {
   std::vector<Shorthand> shorthands;
   std::map<std::string, double> nominal;
   SymbolTable symbols;
+  /// With `reference = "rest"`: what became of the model as the file states it. All else here is about rest.
+  std::shared_ptr<const RestPosition> rest = nullptr;
+  bool rests_at_zero = true;  ///< false while its rest position is looked for: functions may be of any argument
 
   const ResonanceCase& find_case(const std::string& name) const;  ///< throws InputError listing the cases
   GiNaC::ex frequency(std::size_t index) const;                ///< natural frequencies, then excitation frequencies

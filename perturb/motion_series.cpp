@@ -19,8 +19,8 @@ int largest_harmonic(const FieldSeries& series, std::size_t mode, int order) {
 
 }  // namespace
 
-MotionSeries::MotionSeries(PhaseRates rates, int highest_order, std::vector<bool> at_rest)
-    : rates_(std::move(rates)), highest_order_(highest_order), at_rest_(std::move(at_rest)) {
+MotionSeries::MotionSeries(PhaseRates rates, int highest_order, std::vector<bool> at_rest, ProductCount products)
+    : rates_(std::move(rates)), highest_order_(highest_order), at_rest_(std::move(at_rest)), products_(products) {
   const FieldLayout& layout = rates_.layout;
   const FieldSeries nothing(static_cast<std::size_t>(highest_order_) + 1);
   coordinate_.assign(layout.modes, std::vector<FieldSeries>(3, nothing));
@@ -94,7 +94,7 @@ Field MotionSeries::product(const FactorProduct& factors, int order) const {
     series.insert(series.end(), static_cast<std::size_t>(power), one);
   }
   if (nonsmooth) return nonsmooth_product(*nonsmooth, std::move(series), order);
-  if (!series.empty()) return product_at_order(series, order);
+  if (!series.empty()) return product_at_order(series, order, products_);
   Field unit;
   if (order == 0) unit.add(FieldKey(rates_.layout.size(), 0), 1);
   return unit;
@@ -120,7 +120,7 @@ Field MotionSeries::nonsmooth_product(const Factor& factor, std::vector<const Fi
     nonsmooth.push_back(nonsmooth_harmonics(slope, layout, rates_.fast[mode], highest) * argument[1]);
   }
   series.push_back(&nonsmooth);
-  const Field product = product_at_order(series, order);
+  const Field product = product_at_order(series, order, products_);
   Field exact;
   for (const auto& [key, coefficient] : product.terms())
     if (std::abs(key[mode]) <= highest_nonsmooth_harmonic) exact.add(key, coefficient);

@@ -13,8 +13,9 @@ namespace secular {
 class MotionSeries {
  public:
   /// Nothing moves yet but the excitations. `at_rest`: modes whose leading motion is rest; nonsmooth functions of
-  /// them are left out.
-  MotionSeries(PhaseRates rates, int highest_order, std::vector<bool> at_rest);
+  /// them are left out. `products`: counts those of product().
+  MotionSeries(PhaseRates rates, int highest_order, std::vector<bool> at_rest,
+               ProductCount products = ProductCount());
 
   /// Takes over the coordinates at eps^order. Lower orders, once solved, stay as they are.
   void update(const std::vector<FieldSeries>& response, const AmplitudeRates& amplitude_rates, int order);
@@ -23,7 +24,8 @@ class MotionSeries {
     return coordinate_[mode][derivative];
   }
 
-  /// The part of a product at eps^order: the convolution of its factors' series.
+  /// The part of a product at eps^order: the convolution of its factors' series. Throws std::length_error where all
+  /// of them come to more products of terms than are allowed.
   Field product(const FactorProduct& factors, int order) const;
 
  private:
@@ -33,6 +35,7 @@ class MotionSeries {
   PhaseRates rates_;
   int highest_order_;
   std::vector<bool> at_rest_;
+  mutable ProductCount products_;
   std::vector<std::vector<FieldSeries>> coordinate_, excitation_;  // [index][derivative]
 };
 

@@ -1,4 +1,6 @@
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "input/input_error.hpp"
@@ -19,13 +21,13 @@ namespace {
 // D_n A_k (split_forcing), the rest to the response.
 class MultipleScales {
  public:
-  explicit MultipleScales(Derivation& derivation)
+  MultipleScales(Derivation& derivation, ProductCount products)
       : d_(derivation),
         model_(*derivation.model),
         resonance_(*derivation.resonance),
         equations_(ordered_equations(model_, resonance_)),
         rates_(phase_rates(model_, resonance_, d_.lattice, d_.policy == OmegaPolicy::nominal)),
-        motion_(rates_, resonance_.expand_to, resonance_.mode_at_rest) {}
+        motion_(rates_, resonance_.expand_to, resonance_.mode_at_rest, products) {}
 
   void run() {
     const std::size_t modes = d_.layout.modes, size = static_cast<std::size_t>(resonance_.expand_to) + 1;
@@ -45,6 +47,12 @@ class MultipleScales {
       for (FieldSeries& series : *fields)
         for (Field& field : series) field = inverses_.written_out(field);
     d_.warnings = small_divisor_warnings(d_);
+    for (const ResonanceRelation& relation : resonance_.relations)
+      if (!relation.detuning.empty() && relation.order > resonance_.expand_to)
+        d_.warnings.push_back(fmt::format(
+            "the detuning {} is of order eps^{}, and the case expands to eps^{}: what it changes in harmonics and "
+            "coefficients is left out; write eps^{}*{}",
+            relation.detuning, relation.order, resonance_.expand_to, resonance_.expand_to, relation.detuning));
   }
 
  private:
@@ -88,7 +96,15 @@ class MultipleScales {
     for (const OrderedTerm& term : equations_[k].right_hand_side) {
       if (term.order > order) continue;
       end_if_stopped();
-      sum += motion_.product(term.factors, order - term.order).scaled(term.coefficient);
+      try {
+        sum += motion_.product(term.factors, order - term.order).scaled(term.coefficient);
+      } catch (const std::length_error& error) {
+        throw InputError(model_.file, resonance_.place(),
+                         "equation of '" + model_.modes[k].coordinate + "', term " +
+                             to_string(term.factors, model_) + " at eps^" + std::to_string(order) + ": it " +
+                             error.what(),
+                         "lower expand_to or the degree of the equation, or give high powers a higher order");
+      }
     }
     return sum;
   }
@@ -152,7 +168,7 @@ Phase Derivation::full_phase(const FieldKey& key) const {
   return secular::full_phase(key, layout, lattice);
 }
 
-Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy) {
+Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolicy policy, ProductCount products) {
   Derivation derivation{&model,
                         &resonance,
                         policy,
@@ -163,7 +179,7 @@ Derivation derive(const Model& model, const ResonanceCase& resonance, OmegaPolic
                         {},
                         {},
                         {}};
-  MultipleScales(derivation).run();
+  MultipleScales(derivation, products).run();
   return derivation;
 }
 

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "input/input_error.hpp"
+#include "perturb/coefficient_text.hpp"
 #include "perturb/function_expansion.hpp"
 
 namespace secular {
@@ -36,6 +36,12 @@ std::string factor_text(const Factor& factor, const Model& model) {
       return factor.function.text();
   }
   return {};
+}
+
+// About rest coefficients are fractions, which cancel over one denominator.
+GiNaC::ex collected(const GiNaC::ex& sum, const Model& model) {
+  GiNaC::ex expanded = sum.expand();
+  return model.rest && expanded.normal().is_zero() ? GiNaC::ex(0) : expanded;
 }
 
 bool excited(const FactorProduct& product) {
@@ -240,7 +246,7 @@ class TermsByOrder {
   void tell_lowest_orders() {
     for (const auto& [product, orders] : by_order_)
       for (const auto& [order, coefficient] : orders) {
-        const GiNaC::ex sum = coefficient.expand();
+        const GiNaC::ex sum = collected(coefficient, model_);
         if (!sum.is_zero()) lowest_.add(sum, order, to_string(product, model_));
       }
   }
@@ -274,50 +280,14 @@ bool has_function(const FactorProduct& product) {
                      [](const auto& entry) { return entry.first.kind == Factor::Kind::smooth; });
 }
 
-// "omega0^2*k" by the symbols' names: GiNaC's own order changes from run to run. Nothing for what is no product.
-std::optional<std::string> monomial_text(const GiNaC::ex& monomial) {
-  std::map<std::string, int> powers;
-  GiNaC::numeric number = 1;
-  for (std::size_t i = 0; i < (GiNaC::is_a<GiNaC::mul>(monomial) ? monomial.nops() : 1); ++i) {
-    const GiNaC::ex factor = GiNaC::is_a<GiNaC::mul>(monomial) ? monomial.op(i) : monomial;
-    const bool power = GiNaC::is_a<GiNaC::power>(factor) && GiNaC::is_a<GiNaC::numeric>(factor.op(1));
-    const GiNaC::ex base = power ? factor.op(0) : factor;
-    if (GiNaC::is_a<GiNaC::numeric>(factor))
-      number *= GiNaC::ex_to<GiNaC::numeric>(factor);
-    else if (GiNaC::is_a<GiNaC::symbol>(base))
-      powers[GiNaC::ex_to<GiNaC::symbol>(base).get_name()] +=
-          power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    else
-      return std::nullopt;
-  }
-  std::ostringstream text;
-  if (number != 1 || powers.empty()) text << number;
-  for (const auto& [name, power] : powers) {
-    if (text.tellp() > 0) text << '*';
-    text << name;
-    if (power != 1) text << '^' << power;
-  }
-  return text.str();
-}
-
 // "(k + omega0^2)*x" for the linear part of an equation of order 0.
 std::string linear_part(const GiNaC::ex& coefficient, const std::string& coordinate) {
   const GiNaC::ex sum = coefficient.expand();
   if (sum.is_zero()) return "0";
-  const bool several = GiNaC::is_a<GiNaC::add>(sum);
-  std::vector<std::string> terms;
-  for (std::size_t i = 0; i < (several ? sum.nops() : 1); ++i) {
-    const std::optional<std::string> term = monomial_text(several ? sum.op(i) : sum);
-    if (!term) return "something else";
-    terms.push_back(*term);
-  }
-  std::sort(terms.begin(), terms.end());
-  std::string text;
-  for (const std::string& term : terms) {
-    const bool minus = term.front() == '-' && !text.empty();
-    text += (text.empty() ? "" : minus ? " - " : " + ") + (minus ? term.substr(1) : term);
-  }
-  return (several ? "(" + text + ")*" : text + "*") + coordinate;
+  const std::optional<std::vector<std::string>> terms = sum_terms(sum);
+  if (!terms) return "something else";
+  const std::string text = joined_terms(*terms);
+  return (terms->size() > 1 ? "(" + text + ")*" : text + "*") + coordinate;
 }
 
 [[noreturn]] void refuse_leading_term(const Model& model, const ResonanceCase& resonance, std::size_t k,
@@ -336,7 +306,9 @@ std::string linear_part(const GiNaC::ex& coefficient, const std::string& coordin
     throw InputError(
         model.file, resonance.place(),
         "equation of '" + x + "': a constant force of order eps^0 moves the rest position away from " + x + " = 0",
-        "count " + x + " from the rest position, or give the constant a positive order");
+        "write reference = \"rest\" at the head of the model file (above the first [[...]]): the rest position is "
+        "found and " +
+            x + " counts from there; or give the constant a positive order");
   throw InputError(model.file, resonance.place(),
                    "equation of '" + x + "': term " + to_string(product, model) +
                        " at order eps^0 is not part of the linear oscillator " + oscillator,
@@ -367,7 +339,7 @@ std::vector<OrderedEquation> ordered_equations(const Model& model, const Resonan
     by_order[{{acceleration, 1}}][0] -= 1;
     for (const auto& [product, orders] : by_order)
       for (const auto& [order, sum] : orders) {
-        const GiNaC::ex coefficient = sum.expand();
+        const GiNaC::ex coefficient = collected(sum, model);
         if (coefficient.is_zero()) continue;
         const bool hard_forcing =
             excited(product) && std::all_of(product.begin(), product.end(), [](const auto& entry) {

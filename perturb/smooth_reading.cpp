@@ -115,7 +115,7 @@ TermSum smooth_term(const SmoothCall& call, const Model& model, const FormulaSou
   if (!moves)
     fail_at(source, call.whole->place, called(call) + " of a constant",
             "name the number by a symbol of its own: a coordinate or its velocity was expected in it");
-  require_smooth_at_rest(call, model, source);
+  if (model.rests_at_zero) require_smooth_at_rest(call, model, source);
   Factor factor{Factor::Kind::smooth, 0, 0, 1};
   factor.function = SmoothFunction(call.kind, call.exponent, call.inside, expression_text(*call.argument));
   return TermSum::factor(factor);

@@ -351,7 +351,8 @@ class TermReader {
         if (whole.has(model_.symbols.at(excitation.amplitude)))
           fail_at(source_, place, excitation.amplitude + " without its cos(" + excitation.frequency + "*t)",
                   "the excitation enters as " + excitation.amplitude + "*cos(" + excitation.frequency +
-                      "*t), written as one product");
+                      "*t), written as one product; a second frequency is one of its own, F2*cos(Omega2*t), with a "
+                      "relation as Omega2 = 2*Omega");
     return sum;
   }
 
@@ -389,7 +390,9 @@ std::vector<TermSum> lagrange_equations(const Model& model) {
 
 }  // namespace
 
-std::vector<TermSum> equations_of_motion(const Model& model) {
+namespace {
+
+std::vector<TermSum> stated_equations(const Model& model) {
   if (model.lagrangian) return lagrange_equations(model);
   std::vector<TermSum> equations;
   for (const Mode& mode : model.modes) {
@@ -397,6 +400,23 @@ std::vector<TermSum> equations_of_motion(const Model& model) {
     equation += read_terms(model, mode.source, mode.equation->right.front()).scaled(-1);
     equations.push_back(std::move(equation));
   }
+  return equations;
+}
+
+// About rest coefficients are fractions, which cancel over one denominator; inertia is one there.
+TermSum about_rest(const TermSum& equation, std::size_t mode) {
+  const Factor acceleration{Factor::Kind::coordinate, static_cast<int>(mode), 2, 1};
+  const GiNaC::ex inertia = value_at_rest(equation.partial(acceleration)).normal();
+  TermSum result;
+  for (const auto& [product, coefficient] : equation.terms()) result.add(product, (coefficient / inertia).normal());
+  return result;
+}
+
+}  // namespace
+
+std::vector<TermSum> equations_of_motion(const Model& model) {
+  std::vector<TermSum> equations = stated_equations(model);
+  for (std::size_t k = 0; k < equations.size() && model.rest; ++k) equations[k] = about_rest(equations[k], k);
   return equations;
 }
 

@@ -55,6 +55,14 @@ void parse_fixed(IdentifyArguments& options) {
   }
 }
 
+void print_following(const Identification& id) {
+  if (id.following.empty()) return;
+  fmt::print("follow from the rest position\n");
+  for (const FollowingEstimate& f : id.following)
+    fmt::print("  {:<12} {:>20}{}\n", f.name, report::format_uncertain(f.value, f.sd),
+               f.doubtful ? " doubtful" : "");
+}
+
 void print_value(const EstimatedValue& v) {
   if (v.fixed)
     fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
@@ -92,6 +100,7 @@ void print_full_summary(const Identification& id, const std::string& folder) {
                                     : ", nothing wrong");
     fmt::print("parameters\n");
     for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
+    print_following(id);
     print_not_separated(id.estimate);
   } else {
     fmt::print("no numbers: the fit did not come to an end\n");
@@ -108,6 +117,7 @@ void print_summary(const Identification& id, const std::string& folder) {
   fmt::print("parameters\n");
   for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
   for (const std::string& line : scatter_lines(id.estimate)) fmt::print("  {}\n", line);
+  print_following(id);
   fmt::print("lumps\n");
   for (const ObservationSet& set : id.measured) {
     if (id.measured.size() > 1) fmt::print(" case {}\n", set.resonance->name);

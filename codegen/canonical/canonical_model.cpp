@@ -10,9 +10,11 @@
 #include "codegen/canonical/dimensions.hpp"
 #include "input/input_error.hpp"
 #include "perturb/certificate.hpp"
+#include "perturb/formula_value.hpp"
 #include "perturb/function_expansion.hpp"
 #include "perturb/lump_equations.hpp"
 #include "perturb/ordered_equation.hpp"
+#include "perturb/rest_position.hpp"
 #include "perturb/term_sum.hpp"
 
 namespace secular {
@@ -136,6 +138,23 @@ std::vector<CanonicalMotionTerm> canonical_sum(const TermSum& sum, const Canonic
   return terms;
 }
 
+// What a model about its rest position has beside others.
+void add_rest(const Model& model, const CanonicalForm& form, CanonicalModel& result) {
+  if (!model.rest) return;
+  const auto plain = [&](const Expression& formula) {
+    return form.of(formula_value(
+        formula, {}, [&](const Expression& symbol) -> GiNaC::ex { return model.symbols.at(symbol.text); }));
+  };
+  for (const RestValue& value : model.rest->values)
+    result.rest_values.push_back({value.name,
+                                  value.kind,
+                                  {static_cast<int>(value.exponent.first), static_cast<int>(value.exponent.second)},
+                                  plain(value.argument),
+                                  plain(model.rest->slope(value))});
+  for (const HeldCoefficient& held : model.rest->held)
+    result.following.push_back({held.name, plain(parse_expression({held.text, model.file, 1}))});
+}
+
 std::vector<CanonicalSeries> canonical_series(const Model& model, const ResonanceCase& resonance,
                                               const CanonicalForm& form) {
   std::map<SmoothFunction, int> degrees;
@@ -229,6 +248,7 @@ CanonicalCase canonical_case(const Model& model, const ResonanceCase& resonance,
                         std::max(certificate.nonsmooth_error, smallest_nonsmooth_error),
                         certificate.remainders};
   result.warnings = nominal.warnings;
+  if (resonance.automatic_order) result.chosen_orders = resonance.order;
   step_done();
   if (!observed_frequencies(nominal)) {
     step_done();
@@ -370,6 +390,12 @@ class Digest {
     for (const std::string& name : model.strengths) add("strength " + name);
     for (const CanonicalDimension& dimension : model.parameter_dimensions) add(dimension);
     for (const std::optional<double>& value : model.nominal) add(value ? fmt::format("{:a}", *value) : "none");
+    for (const CanonicalRestValue& value : model.rest_values) {
+      add(fmt::format("{} {}", value.name, static_cast<int>(value.function)));
+      add(value.exponent);
+      add(value.argument);
+      add(value.slope);
+    }
     for (const auto& equation : model.motion)
       for (const CanonicalMotionTerm& term : equation) add(term);
     for (const CanonicalCase& c : model.cases) add(c);
@@ -392,6 +418,7 @@ std::string fingerprint(const CanonicalModel& model) {
 }  // namespace
 
 bool has_smooth_functions(const CanonicalModel& model) {
+  if (!model.rest_values.empty()) return true;
   for (const auto& equation : model.motion)
     for (const CanonicalMotionTerm& term : equation)
       for (const CanonicalFactor& factor : term.factors)
@@ -450,6 +477,7 @@ CanonicalModel canonical_model(const Model& model, const std::string& only_case,
   result.source = model.source;
   result.order = symbol_order(model);
   const CanonicalForm form(model.symbols, result.order);
+  add_rest(model, form, result);
   const std::vector<TermSum> equations = equations_of_motion(model);
   const std::map<std::string, Dimension> dimensions = symbol_dimensions(model, equations);
   for (const Mode& mode : model.modes) {

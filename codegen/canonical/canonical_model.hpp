@@ -142,6 +142,22 @@ struct CanonicalCase {
   std::vector<CanonicalBlock> blocks;
   CanonicalCertificate certificate;
   std::vector<std::string> warnings;
+  std::map<std::string, int> chosen_orders;  ///< by coefficient, where `order` is "auto"; the others have 0
+};
+
+/// The value at rest of a function of coordinates: a symbol beside the parameters, which it follows from.
+struct CanonicalRestValue {
+  std::string name;
+  SmoothKind function = SmoothKind::power;
+  CanonicalRatio exponent = {1, 1};  ///< of a power
+  RationalFunction argument;         ///< of parameters and the values before it
+  RationalFunction slope;            ///< its derivative by the argument, of all symbols
+};
+
+/// A coefficient of a model as stated, which follows from its rest position and the other symbols.
+struct CanonicalFollowing {
+  std::string name;
+  RationalFunction definition;
 };
 
 struct CanonicalModel {
@@ -152,6 +168,8 @@ struct CanonicalModel {
   std::vector<std::string> strengths;   ///< parameters without which an added effect has no terms
   std::vector<CanonicalDimension> parameter_dimensions;
   std::vector<std::optional<double>> nominal;            ///< by parameter
+  std::vector<CanonicalRestValue> rest_values;           ///< of a model about its rest position
+  std::vector<CanonicalFollowing> following;             ///< the same; for documents alone
   SymbolOrder order;                                     ///< what RationalFunctions refer to
   std::vector<std::vector<CanonicalMotionTerm>> motion;  ///< [mode]: sum of terms = 0
   std::vector<CanonicalCase> cases;
@@ -163,7 +181,7 @@ struct CanonicalModel {
   }
 };
 
-/// Whether its equations of motion hold any.
+/// Whether its equations of motion, or values at rest, hold any.
 bool has_smooth_functions(const CanonicalModel& model);
 
 /// What is wanted of a model: all, or what code is made of, without the list of harmonics that documents show.

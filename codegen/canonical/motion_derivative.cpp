@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "codegen/canonical/polar_form.hpp"
+#include "codegen/canonical/rest_values.hpp"
 
 namespace secular {
 namespace {
@@ -121,10 +122,9 @@ std::vector<WeightedMotionTerm> motion_derivative(const CanonicalModel& model, c
                                                   const MotionVariable& variable) {
   std::vector<WeightedMotionTerm> result;
   if (variable.kind == MotionVariable::Kind::parameter) {
-    const auto symbol = static_cast<std::size_t>(
-        std::find(model.order.begin(), model.order.end(), model.parameters[variable.index]) - model.order.begin());
+    const std::size_t symbol = index_of_symbol(model, model.parameters[variable.index]);
     CanonicalMotionTerm derived = term;
-    derived.coefficient = derivative(term.coefficient, symbol);
+    derived.coefficient = total_derivative(model, term.coefficient, symbol);
     if (!derived.coefficient.is_zero()) result.push_back({{1, 1}, std::move(derived)});
   }
   for (std::size_t f = 0; f < term.factors.size(); ++f) {

@@ -216,7 +216,9 @@ GeneratedFile lumps_unit(const CanonicalModel& model) {
   Emitter emitter(model);
   CodeText& code = emitter.code;
   banner(emitter, "lumps.");
-  include(code, {"lump_functions"});
+  std::vector<std::string> headers = {"lump_functions"};
+  if (!model.rest_values.empty()) headers.push_back("smooth_functions");
+  include(code, headers);
   code.line(fmt::format("namespace {} {{", space_of(model))).line();
   emit_lumps(emitter);
   emit_lump_gradients(emitter);

@@ -8,6 +8,7 @@
 #include "codegen/cpp/emitter.hpp"
 #include "codegen/cpp/lump_gradient_lines.hpp"
 #include "codegen/cpp/model_lumps.hpp"
+#include "codegen/cpp/rest_value_lines.hpp"
 
 namespace secular {
 namespace {
@@ -16,16 +17,17 @@ constexpr std::size_t longest_line = 112;  // of a function in one
 
 void symbols(Emitter& emitter, const CppWriter& writer) {
   const CanonicalModel& model = emitter.model;
+  const std::vector<std::string> used = with_arguments(model, writer.used_symbols());
   std::vector<std::string> names, values;
   for (std::size_t p = 0; p < model.parameters.size(); ++p) {
-    const std::vector<std::string> used = writer.used_symbols();
     if (std::find(used.begin(), used.end(), model.parameters[p]) == used.end()) continue;
     names.push_back(safe_identifier(model.parameters[p]));
     values.push_back(fmt::format("{}(parameters[{}])", names.back(), p));
   }
   if (!names.empty()) emitter.code.list("const double ", names, ";");
-  for (const std::string& name : writer.used_symbols())
+  for (const std::string& name : used)
     if (name == "pi") emitter.code.line("static constexpr double pi = std::numbers::pi;");
+  for (const std::string& value : rest_value_lines(model, used, "double")) emitter.code.line(value);
   for (const std::string& definition : writer.definitions()) emitter.code.line(definition);
   emitter.code.line();
   emitter.code.list(fmt::format("explicit Lumps({}const double* parameters){}",

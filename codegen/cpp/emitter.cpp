@@ -4,10 +4,13 @@
 
 #include <algorithm>
 
+#include "codegen/cpp/rest_value_lines.hpp"
+
 namespace secular {
 
 void Emitter::unpack(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
+  const std::vector<std::string> all = with_arguments(model, names);
+  for (const std::string& name : all) {
     if (name == "pi") {
       code.line("const double pi = std::numbers::pi;");
       continue;
@@ -17,6 +20,7 @@ void Emitter::unpack(const std::vector<std::string>& names) {
     code.line(fmt::format("const Scalar {} = parameters[{}];", safe_identifier(name),
                           parameter - model.parameters.begin()));
   }
+  definitions(rest_value_lines(model, all, "Scalar"));
 }
 
 void Emitter::definitions(const std::vector<std::string>& lines) {

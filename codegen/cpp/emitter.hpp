@@ -14,7 +14,7 @@ class Emitter {
  public:
   explicit Emitter(const CanonicalModel& canonical) : model(canonical) {}
 
-  /// Local variables for parameters (and pi) of these names.
+  /// Local variables for parameters, values at rest (and pi) of these names.
   void unpack(const std::vector<std::string>& names);
   /// Local variables for shared powers.
   void definitions(const std::vector<std::string>& lines);

@@ -66,6 +66,12 @@ class GradientLines {
     return sum.find(" + ") == std::string::npos && sum.find(" - ") == std::string::npos ? sum : "(" + sum + ")";
   }
 
+  // Of several terms where a value at rest depends on the parameter, too.
+  static std::string factor_code(const RationalFunction& rate, CppWriter& writer) {
+    const std::string text = writer.expression(rate);
+    return reads_as_sum(rate) ? "(" + text + ")" : text;
+  }
+
   RationalFunction in_lowest_terms(const RationalFunction& value) const {
     return product(value, monomial(unit(0, 0), unit(0, 0)));
   }
@@ -106,7 +112,7 @@ class GradientLines {
                                   formula_text(common, model_.order)));
       for (const LumpGradient::Entry& entry : gradient.entries)
         add_to_sum(sums[entry.parameter],
-                   (entry.rate.is_one() ? "" : writer.expression(entry.rate) + " * ") + fmt::format("c_{}", g));
+                   (entry.rate.is_one() ? "" : factor_code(entry.rate, writer) + " * ") + fmt::format("c_{}", g));
     }
     for (std::size_t p = 0; p < sums.size(); ++p)
       if (!sums[p].empty())

@@ -35,7 +35,9 @@ void refuse_unsupported(const CanonicalModel& model, const CanonicalCase& c) {
   const std::size_t frequencies = model.natural_frequencies.size() + model.excitation_frequencies.size();
   for (std::size_t s = frequencies; s + 1 < model.order.size(); ++s) {
     const bool parameter =
-        std::find(model.parameters.begin(), model.parameters.end(), model.order[s]) != model.parameters.end();
+        std::find(model.parameters.begin(), model.parameters.end(), model.order[s]) != model.parameters.end() ||
+        std::any_of(model.rest_values.begin(), model.rest_values.end(),
+                    [&](const CanonicalRestValue& value) { return value.name == model.order[s]; });
     for (const CanonicalLump& lump : c.lumps)
       if (!parameter && depends_on(lump.definition, s))
         throw std::logic_error("lump " + lump.name + " holds " + model.order[s] + ", which is no parameter");

@@ -9,6 +9,8 @@
 
 #include "codegen/canonical/generated_lump.hpp"
 #include "codegen/document/look_alikes.hpp"
+#include "codegen/document/orders_text.hpp"
+#include "codegen/document/rest_lines.hpp"
 #include "codegen/document/steady_statements.hpp"
 #include "codegen/document/typeset_equations.hpp"
 
@@ -63,6 +65,7 @@ class Writer {
     if (!model_.source.empty()) text({"Source: " + model_.source});
     section("Equations of motion");
     equation_of_each_mode([&](std::size_t k) { return motion_equation(model_, k); });
+    rest();
     section("Conventions");
     for (std::size_t k = 0; k < modes(); ++k)
       text({amplitude(model_, k), " is half the peak amplitude: the harmonic of ",
@@ -75,6 +78,14 @@ class Writer {
           " counts orders and is 1."});
   }
 
+  void rest() {
+    const std::vector<std::string> lines = rest_lines(model_);
+    if (lines.empty()) return;
+    section("Rest position");
+    text({"Coordinates count from the rest position. With it and the natural frequencies the model as stated has"});
+    for (const std::string& line : lines) document_.blocks.emplace_back(Paragraph{{Code{line}}});
+  }
+
   void resonance(const CanonicalCase& c) {
     document_.blocks.emplace_back(Heading{true, "Case " + c.name});
     if (!c.relations.empty()) {
@@ -85,6 +96,7 @@ class Writer {
       equations(std::move(relations));
     }
     text({"Order of expansion: ", power(symbol("eps"), c.expand_to), c.excited ? "." : "; no excitation."});
+    if (!c.chosen_orders.empty()) text({"Orders: " + orders_text(c) + "."});
     for (const std::string& warning : c.warnings) text({"Warning: " + warning}, Paragraph::Tone::bad);
     functions(c);
     expansion(c);

@@ -7,6 +7,7 @@
 
 #include "codegen/document/plain_text.hpp"
 #include "codegen/document/print_text.hpp"
+#include "codegen/document/rest_lines.hpp"
 #include "codegen/document/steady_statements.hpp"
 #include "codegen/expression/cpp_expression.hpp"
 
@@ -59,11 +60,13 @@ std::string derivation_json(const CanonicalModel& model) {
   result["source"] = model.source;
   for (std::size_t k = 0; k < model.coordinates.size(); ++k)
     result["equations_of_motion"][model.coordinates[k]] = motion_text(model, k);
+  for (const std::string& line : rest_lines(model)) result["rest"].push_back(line);
   result["cases"] = Json::array();
   for (const CanonicalCase& c : model.cases) {
     Json entry;
     entry["case"] = c.name;
     entry["expand_to"] = c.expand_to;
+    for (const auto& [name, order] : c.chosen_orders) entry["order"][name] = order;
     entry["relations"] = Json::array();
     for (const CanonicalRelation& relation : c.relations) entry["relations"].push_back(relation.text);
     for (std::size_t k = 0; k < model.coordinates.size(); ++k) {

@@ -9,7 +9,9 @@
 #include "codegen/canonical/free_name.hpp"
 #include "codegen/canonical/polar_form.hpp"
 #include "codegen/document/cartesian_text.hpp"
+#include "codegen/document/orders_text.hpp"
 #include "codegen/document/plain_text.hpp"
+#include "codegen/document/rest_lines.hpp"
 #include "codegen/document/steady_statements.hpp"
 #include "codegen/expression/cpp_expression.hpp"
 #include "perturb/ordered_equation.hpp"
@@ -203,6 +205,7 @@ std::string case_text(const CanonicalModel& model, const CanonicalCase& c) {
   std::string text = "\nCase " + c.name + "\n" + std::string(5 + c.name.size(), '=') + "\n";
   for (const CanonicalRelation& relation : c.relations) text += "  resonance: " + relation.text + "\n";
   text += fmt::format("  order of expansion: eps^{}{}\n", c.expand_to, c.excited ? "" : "; no excitation");
+  if (!c.chosen_orders.empty()) text += "  orders: " + orders_text(c) + "\n";
   for (const std::string& warning : c.warnings) text += "  WARNING: " + warning + "\n";
   const std::size_t modes = model.coordinates.size();
   if (!c.series.empty()) text += "\nFunctions, by their series about rest as far as this case needs them\n";
@@ -330,6 +333,9 @@ std::string derivation_text(const CanonicalModel& model) {
   std::string text = "Model " + model.name + "\n";
   if (!model.source.empty()) text += "Source: " + model.source + "\n";
   for (std::size_t k = 0; k < model.coordinates.size(); ++k) text += "  " + motion_text(model, k) + "\n";
+  const std::vector<std::string> rest = rest_lines(model);
+  if (!rest.empty()) text += "Coordinates count from the rest position. With it the model as stated has\n";
+  for (const std::string& line : rest) text += "  " + line + "\n";
   text +=
       "Conventions: A is half the peak amplitude (v = A exp(i w t) + conj); F is the peak excitation; frequencies "
       "in "

@@ -59,6 +59,10 @@ struct Writer {
     return {packed(term.coefficient), packed(term.factors),
             term.acceleration_of ? Json(*term.acceleration_of) : Json()};
   }
+  static Json packed(const CanonicalRestValue& value) {
+    return {value.name, static_cast<int>(value.function), packed(value.exponent), packed(value.argument),
+            packed(value.slope)};
+  }
   static Json packed(const CanonicalPowers& p) {
     return {p.amplitude, p.conjugate, p.modulus, p.forcing, p.phase, p.slow_phase};
   }
@@ -145,6 +149,13 @@ class Reader {
     read(j.at(1), term.factors);
     if (!j.at(2).is_null()) term.acceleration_of = j.at(2).get<std::size_t>();
   }
+  void read(const Json& j, CanonicalRestValue& value) const {
+    value.name = j.at(0).get<std::string>();
+    value.function = static_cast<SmoothKind>(j.at(1).get<int>());
+    read(j.at(2), value.exponent);
+    read(j.at(3), value.argument);
+    read(j.at(4), value.slope);
+  }
   void read(const Json& j, CanonicalPowers& p) const {
     std::size_t i = 0;
     for (std::vector<int>* list : {&p.amplitude, &p.conjugate, &p.modulus, &p.forcing, &p.phase, &p.slow_phase})
@@ -215,6 +226,7 @@ std::string canonical_json(const CanonicalModel& model) {
   j["nominal"] = Json::array();
   for (const std::optional<double>& value : model.nominal) j["nominal"].push_back(value ? Json(*value) : Json());
   j["dimensions"] = Writer::packed(model.parameter_dimensions);
+  j["rest_values"] = Writer::packed(model.rest_values);
   j["motion"] = Writer::packed(model.motion);
   j["cases"] = Writer::packed(model.cases);
   return j.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -231,6 +243,7 @@ std::optional<CanonicalModel> canonical_from_json(const std::string& text) try {
   for (const Json& value : j.at("nominal"))
     model.nominal.push_back(value.is_null() ? std::nullopt : std::optional(value.get<double>()));
   reader.read(j.at("dimensions"), model.parameter_dimensions);
+  reader.read(j.at("rest_values"), model.rest_values);
   reader.read(j.at("motion"), model.motion);
   reader.read(j.at("cases"), model.cases);
   return model;

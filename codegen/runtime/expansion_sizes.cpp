@@ -23,7 +23,8 @@ ExpansionSizes::ExpansionSizes(const CanonicalModel& model, const CanonicalCase&
       symbols_(model.order.size()),
       last_(static_cast<std::size_t>(resonance.expand_to)),
       tells_rates_(resonance.quadratures.empty()),
-      formulas_(model.order.size()) {
+      formulas_(model.order.size()),
+      rest_values_(model) {
   for (const std::string& name : model.parameters)
     symbol_of_parameter_.push_back(
         static_cast<std::size_t>(std::find(model.order.begin(), model.order.end(), name) - model.order.begin()));
@@ -46,6 +47,7 @@ std::vector<std::vector<double>> ExpansionSizes::sizes(const std::vector<Term>& 
   symbols.back() = std::numbers::pi;
   for (std::size_t p = 0; p < symbol_of_parameter_.size(); ++p)
     symbols[symbol_of_parameter_[p]] = state.parameters[p];
+  rest_values_.fill(symbols.data());
   if (state.excitation_frequency)
     std::copy_n(state.excitation_frequency, excitations_, symbols.begin() + static_cast<std::ptrdiff_t>(modes_));
   const FormulaSet::Values value(formulas_, symbols.data());

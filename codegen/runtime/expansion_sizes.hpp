@@ -6,6 +6,7 @@
 #include "codegen/canonical/canonical_model.hpp"
 #include "codegen/runtime/formula_set.hpp"
 #include "codegen/runtime/monomial.hpp"
+#include "codegen/runtime/rest_value_set.hpp"
 
 namespace secular {
 
@@ -63,6 +64,7 @@ class ExpansionSizes {
   bool tells_rates_, linear_when_small_;
   std::vector<std::size_t> symbol_of_parameter_;
   FormulaSet formulas_;
+  RestValueSet rest_values_;
   std::vector<Term> displacement_, rate_;
 };
 

@@ -9,6 +9,7 @@
 #include "codegen/expression/cpp_expression.hpp"
 #include "codegen/runtime/interpreted_case.hpp"
 #include "codegen/runtime/interpreted_motion.hpp"
+#include "codegen/runtime/rest_value_set.hpp"
 
 namespace secular {
 namespace {
@@ -18,7 +19,7 @@ using Complex = std::complex<double>;
 // Everything that the spans, views and bound functions of the CompiledModel point to.
 class Interpreter {
  public:
-  explicit Interpreter(CanonicalModel model) : source_(std::move(model)), motion_(source_) {
+  explicit Interpreter(CanonicalModel model) : source_(std::move(model)), rest_values_(source_), motion_(source_) {
     for (const std::string& name : source_.parameters)
       symbol_of_parameter_.push_back(static_cast<std::size_t>(
           std::find(source_.order.begin(), source_.order.end(), name) - source_.order.begin()));
@@ -56,6 +57,7 @@ class Interpreter {
     std::vector<double> values(source_.order.size(), 0.0);
     values.back() = std::numbers::pi;
     for (std::size_t p = 0; p < symbol_of_parameter_.size(); ++p) values[symbol_of_parameter_[p]] = parameters[p];
+    rest_values_.fill(values.data());
     return values;
   }
 
@@ -161,6 +163,7 @@ class Interpreter {
   }
 
   CanonicalModel source_;
+  RestValueSet rest_values_;
   InterpretedMotion motion_;
   std::vector<std::size_t> symbol_of_parameter_;
   // Deques: what they hold stays where it is.

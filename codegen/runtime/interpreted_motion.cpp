@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "codegen/cpp/emit_cpp.hpp"
+#include "codegen/runtime/smooth_value.hpp"
 #include "estimator/model/dense_solve.hpp"
 #include "estimator/model/integer_power.hpp"
 #include "estimator/model/scalar_functions.hpp"
-#include "estimator/model/smooth_functions.hpp"
 
 namespace secular {
 
@@ -96,29 +96,7 @@ double InterpretedMotion::function(const Factor& factor, const Point& point,
     argument += product;
   }
   const CanonicalFactor& f = *factor.canonical;
-  switch (f.function) {
-    case SmoothKind::sine:
-      return sin_of(argument);
-    case SmoothKind::cosine:
-      return cos_of(argument);
-    case SmoothKind::tangent:
-      return tan_of(argument);
-    case SmoothKind::exponential:
-      return exp_of(argument);
-    case SmoothKind::hyperbolic_sine:
-      return sinh_of(argument);
-    case SmoothKind::hyperbolic_cosine:
-      return cosh_of(argument);
-    case SmoothKind::hyperbolic_tangent:
-      return tanh_of(argument);
-    case SmoothKind::logarithm:
-      return log_of(argument);
-    case SmoothKind::arc_tangent:
-      return atan_of(argument);
-    case SmoothKind::power:
-      break;
-  }
-  return power_of(argument, static_cast<double>(f.exponent.numerator) / f.exponent.denominator);
+  return smooth_value(f.function, static_cast<double>(f.exponent.numerator) / f.exponent.denominator, argument);
 }
 
 double InterpretedMotion::value(const Factor& factor, const Point& point, const FormulaSet::Values& coefficient) {

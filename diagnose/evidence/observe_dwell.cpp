@@ -134,7 +134,9 @@ std::optional<double> lower_frequency(const RecordPart& part, double rate, const
 std::optional<double> excitation_frequency(const RecordPart& part, double rate, std::size_t responses,
                                            const RecordEntry& entry) {
   const auto channel = static_cast<Index>(responses);
-  const double guess = entry.excitation_frequency_hz
+  // Of several excitations the nominal frequency may be that of another one.
+  const bool is_only = part.samples.cols() == channel + 1;
+  const double guess = is_only && entry.excitation_frequency_hz
                            ? two_pi * *entry.excitation_frequency_hz
                            : spectral_peak(part.samples.col(channel), rate, 4, 1).frequency;
   ToneOptions options;
@@ -142,6 +144,24 @@ std::optional<double> excitation_frequency(const RecordPart& part, double rate, 
   if (fit.ending == SolverEnding::ran_away || std::abs(fit.frequency / guess - 1) > 0.1) return std::nullopt;
   if (!(std::abs(fit.amplitude(0, 0)) > present * fit.amplitude_sd(0, 0))) return std::nullopt;
   return fit.frequency;
+}
+
+// Why excitations beside the first one make no motion of lines at multiples of its frequency; empty where they do.
+std::string off_multiples(const RecordPart& part, double rate, std::size_t responses, double omega) {
+  for (Index c = static_cast<Index>(responses) + 1; c < part.samples.cols(); ++c) {
+    const double guess = spectral_peak(part.samples.col(c), rate, 4, 1).frequency;
+    const ToneFit fit = fit_harmonic_tone(part.samples.col(c), rate, guess, ToneOptions());
+    const bool is_tone =
+        fit.ending != SolverEnding::ran_away && std::abs(fit.amplitude(0, 0)) > present * fit.amplitude_sd(0, 0);
+    // Phases that part by more than a turn over the record are no multiple's.
+    const double apart = fit.frequency - omega * std::round(fit.frequency / omega);
+    if (is_tone && std::abs(apart) * static_cast<double>(part.samples.rows()) / rate > two_pi)
+      return fmt::format(
+          "its excitations at {:.4g} and {:.4g} Hz make lines at sums of both, and a dwell has those at "
+          "multiples of one; kind = \"broadband\" compares it sample by sample",
+          omega / two_pi, fit.frequency / two_pi);
+  }
+  return {};
 }
 
 // How a dwell's motion varies; nothing where its excitation does.
@@ -266,6 +286,8 @@ class DwellObserver {
     const auto omega = excitation_frequency(part_, rate_, responses_, entry_);
     if (!omega) return fails("no steady excitation tone is found in it");
     omega_ = *omega;
+    if (std::string why = off_multiples(part_, rate_, responses_, omega_); !why.empty())
+      return fails(std::move(why));
     return true;
   }
 

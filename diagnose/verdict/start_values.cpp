@@ -49,39 +49,54 @@ std::vector<std::string> need_a_start(const CompiledModel& model, const VectorXd
   return names;
 }
 
+// NaN: nothing is known of it.
+double known_start(const CompiledModel& model, const DiagnosisOptions& options, std::size_t symbol) {
+  double value = symbol < model.nominal.size() ? model.nominal[symbol] : NAN;
+  if (std::isfinite(seen_frequency(options, symbol))) value = seen_frequency(options, symbol);
+  for (const auto* numbers : {&options.start, &options.given.values})
+    if (const auto found = numbers->find(std::string(model.symbols[symbol].name)); found != numbers->end())
+      value = found->second;
+  return value;
+}
+
 }  // namespace
 
 double seen_frequency(const DiagnosisOptions& options, std::size_t mode) {
   return mode < options.natural_frequency.size() ? options.natural_frequency[mode] : NAN;
 }
 
-VectorXd start_values(const CompiledModel& model, const FaultTable& faults, const DiagnosisOptions& options,
-                      const std::vector<std::size_t>& own) {
-  const GivenNumbers& given = options.given;
-  VectorXd start = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
+std::vector<std::string> symbols_without_start(const CompiledModel& model, const DiagnosisOptions& options,
+                                               const std::vector<std::size_t>& own) {
+  VectorXd symbols = VectorXd::Zero(static_cast<Index>(model.symbols.size()));
   std::vector<Index> unknown;
   for (std::size_t s = 0; s < model.symbols.size(); ++s) {
-    double value = s < model.nominal.size() ? model.nominal[s] : NAN;
-    if (std::isfinite(seen_frequency(options, s))) value = seen_frequency(options, s);
-    for (const auto* numbers : {&options.start, &given.values})
-      if (const auto found = numbers->find(std::string(model.symbols[s].name)); found != numbers->end())
-        value = found->second;
-    if (!std::isfinite(value) && std::find(own.begin(), own.end(), s) != own.end())
+    const double value = known_start(model, options, s);
+    if (std::isfinite(value))
+      symbols(static_cast<Index>(s)) = value;
+    else if (std::find(own.begin(), own.end(), s) != own.end())
       unknown.push_back(static_cast<Index>(s));
-    start(static_cast<Index>(s)) = std::isfinite(value) ? value : 0;
   }
+  return need_a_start(model, symbols, unknown);
+}
+
+VectorXd start_values(const CompiledModel& model, const FaultTable& faults, const DiagnosisOptions& options,
+                      const std::vector<std::size_t>& own) {
+  VectorXd start = VectorXd::Zero(static_cast<Index>(model.symbols.size() + faults.size()));
+  for (std::size_t s = 0; s < model.symbols.size(); ++s)
+    if (const double value = known_start(model, options, s); std::isfinite(value))
+      start(static_cast<Index>(s)) = value;
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (!(start(static_cast<Index>(k)) > 0))
       throw InputError(
           std::string(model.name), "[nominal]",
           "gives no natural frequency above zero, and the records tell none, " + std::string(model.symbols[k].name),
           "a rough one tells which resonance a record excites: give it there");
-  const auto symbols = static_cast<Index>(model.symbols.size());
-  if (const auto names = need_a_start(model, start.head(symbols), unknown); !names.empty())
+  if (const auto names = symbols_without_start(model, options, own); !names.empty())
     throw InputError(std::string(model.name), "[nominal]",
                      fmt::format("gives no start for {}: from zero the equations tell no way to the right value",
                                  fmt::join(names, ", ")),
                      "rough values there, of the right sign and order of size");
+  const auto symbols = static_cast<Index>(model.symbols.size());
   start(symbols + static_cast<Index>(faults.extra_frequency())) = start(0);
   start(symbols + static_cast<Index>(faults.extra_damping())) = 0.01;
   return start;

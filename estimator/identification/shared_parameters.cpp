@@ -10,6 +10,7 @@
 #include "estimator/regression/clustered_chi_squared.hpp"
 #include "estimator/thresholds.hpp"
 #include "input/numerical_failure.hpp"
+#include "numerics/distribution.hpp"
 #include "numerics/nonlinear_fit.hpp"
 #include "numerics/unit_scale.hpp"
 
@@ -23,6 +24,9 @@ using Eigen::VectorXd;
 /// Singular values of scaled columns below this share of the largest are none; parts of directions, squared, below
 /// the other belong to nothing.
 constexpr double lost_direction = 1e-9, part_of_group = 1e-8;
+
+/// Probability that lumps of a model that holds contradict one another.
+constexpr auto& least_contradiction = estimator_thresholds().contradiction_alarm;
 
 // Whitening of one case's lumps through scaled variables: they differ by many powers of ten.
 struct Whitening {
@@ -322,15 +326,50 @@ class SharedFit {
     return unknowns;
   }
 
-  void fit() {
-    const ResidualFunction function = [&](const VectorXd& unknowns, VectorXd& residual, MatrixXd& jacobian) {
-      evaluate(unknowns, true, residual, jacobian);
+  // `held`: a parameter that stays at its start.
+  FitReport fit_from(const VectorXd& start, bool with_truncation, Index held = -1) const {
+    const ResidualFunction function = [&](const VectorXd& at, VectorXd& residual, MatrixXd& jacobian) {
+      evaluate(at, with_truncation, residual, jacobian);
+      if (held >= 0) jacobian.col(held).setZero();
     };
+    return nonlinear_fit(function, rows(), start, 100, plausible_);
+  }
+
+  MatrixXd slopes_at(const VectorXd& unknowns) const {
+    VectorXd residual(rows());
+    MatrixXd jacobian(rows(), unknowns.size());
+    evaluate(unknowns, false, residual, jacobian);
+    return jacobian;
+  }
+
+  // docs/inference.md, "Both sides of a saddle". Where lumps are products of parameters, zero is a saddle, and the
+  // first step from there decides on which side the fit goes on.
+  FitReport fit_on_both_sides(const VectorXd& from) const {
+    FitReport best = fit_from(from, false);
+    const auto surplus = static_cast<double>(std::max<Index>(0, lumps_ - count_));
+    const double most = surplus > 0 ? chi_squared_upper_quantile(least_contradiction, surplus) : 1;
+    if (!(2 * best.cost > most)) return best;
+    const VectorXd end = best.parameters;
+    const MatrixXd slopes = slopes_at(end);
+    for (Index p = 0; p < count_; ++p) {
+      if (from(p) != 0 || end(p) == 0) continue;
+      VectorXd mirrored = from, changed = end;
+      mirrored(p) = changed(p) = -end(p);
+      if ((slopes_at(changed) - slopes).isZero(0)) continue;  // its sign changes nothing that others do
+      FitReport other = fit_from(fit_from(mirrored, false, p).parameters, false);
+      if (2 * (best.cost - other.cost) > 1) best = std::move(other);
+    }
+    return best;
+  }
+
+  // Slopes of the truncation hold about the parameters that it was taken out with; from afar they mean nothing. So
+  // the fit comes near without them.
+  void fit() {
     const Index unknowns = count_ + directions_;
     VectorXd from(unknowns);
     from << result_.values, corrected_at_;
     plausible_ = plausible_sizes(cases_, result_.values, unknowns);
-    unknowns_ = nonlinear_fit(function, rows(), from, 100, plausible_).parameters;
+    unknowns_ = fit_from(fit_on_both_sides(from).parameters, true).parameters;
     result_.values = unknowns_.head(count_);
     result_.null_coordinate = unknowns_.tail(directions_);
     residual_.resize(rows());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "diagnose/verdict/given_numbers.hpp"
+#include "diagnose/verdict/start_values.hpp"
 #include "diagnose/verdict/step_by_step.hpp"
 #include "jobs/identify/full_equations.hpp"
 #include "jobs/shared/compared_records.hpp"
@@ -101,16 +102,20 @@ TriedModel with_effects(const ModelSource& source, const EffectCatalogue& catalo
   return tried;
 }
 
-// What dwells and decays tell of the model as it is; nothing where there are none.
-std::vector<EstimatedValue> identified(const DiagnosisRequest& request, const Campaign& campaign) {
-  if (!holds_dwells_or_decays(campaign, request.window)) return {};
+IdentificationRequest identification_of(const DiagnosisRequest& request) {
   IdentificationRequest wanted;
   wanted.model = request.model;
   wanted.interpret = request.interpret;
   wanted.window = request.window;
   wanted.threads = request.threads;
   wanted.note = request.note;
-  return identify_by_modulation(wanted, campaign).estimate.parameters;
+  return wanted;
+}
+
+// What dwells and decays tell of the model as it is; nothing where there are none.
+std::vector<EstimatedValue> identified(const DiagnosisRequest& request, const Campaign& campaign) {
+  if (!holds_dwells_or_decays(campaign, request.window)) return {};
+  return identify_by_modulation(identification_of(request), campaign).estimate.parameters;
 }
 
 }  // namespace
@@ -120,6 +125,7 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& camp
   const ModelSource source(request.model, request.interpret, request.note, request.catalogue);
   run.campaign = campaign;
   DiagnosisOptions options = options_of(request);
+  source.take_rest_position(options.given.values, request.parameters_name);
   DisturbanceWatch watch(run.campaign);
   SelectedRecords reader(run.campaign, request.window, watch.look());
   const RecordReader read = [&](std::size_t r) { return reader.read(r); };
@@ -128,6 +134,8 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& camp
   const TriedModel tried = with_effects(source, request.catalogue);
   run.model = tried.model;
   options.forces = tried.forces;
+  if (std::string why; !symbols_without_start(*tried.model, options, tried.own).empty())
+    options.start.merge(start_by_modulation(identification_of(request), run.campaign, why));
   const std::string unused = unused_numbers(request.parameters_name, options.given.values, *run.model);
   StepwiseDiagnosis steps =
       diagnose_step_by_step({run.campaign, read, *tried.model, tried.own}, tried.effects, std::move(options),

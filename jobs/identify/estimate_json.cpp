@@ -182,6 +182,27 @@ Json covariance_json(const Estimate& estimate) {
   return {{"names", std::move(names)}, {"matrix", std::move(matrix)}};
 }
 
+void add_following(Json& result, const std::vector<FollowingEstimate>& all) {
+  for (const FollowingEstimate& following : all) {
+    Json entry = {{"name", following.name}, {"value", following.value}, {"sd", following.sd}};
+    if (following.doubtful) entry["doubtful"] = true;
+    result["follows_from_rest"].push_back(std::move(entry));
+  }
+}
+
+Json block_json(const BlockQuality& block) {
+  Json entry;
+  entry["name"] = block.name;
+  entry["case"] = block.resonance;
+  entry["equations"] = block.equations;
+  entry["conditions"] = block.conditions;
+  entry["normalised_residual"] = block.normalised_residual;
+  entry["condition_index"] = block.condition_index;
+  entry["covariance"] = block.clustered ? "clustered by condition" : "from residuals";
+  for (const auto& [name, inflation] : block.variance_inflation) entry["variance_inflation"][name] = inflation;
+  return entry;
+}
+
 Json json_of(const Identification& identification) {
   Json result;
   result["schema"] = 1;
@@ -204,21 +225,11 @@ Json json_of(const Identification& identification) {
     result["lumps"].push_back(value_json(value, true, identification.estimate));
   result["covariance"] = covariance_json(identification.estimate);
   add_representative(result, identification);
+  add_following(result, identification.following);
   Json quality;
   quality["observations"] = observations;
   quality["blocks"] = Json::array();
-  for (const BlockQuality& block : identification.estimate.blocks) {
-    Json entry;
-    entry["name"] = block.name;
-    entry["case"] = block.resonance;
-    entry["equations"] = block.equations;
-    entry["conditions"] = block.conditions;
-    entry["normalised_residual"] = block.normalised_residual;
-    entry["condition_index"] = block.condition_index;
-    entry["covariance"] = block.clustered ? "clustered by condition" : "from residuals";
-    for (const auto& [name, inflation] : block.variance_inflation) entry["variance_inflation"][name] = inflation;
-    quality["blocks"].push_back(std::move(entry));
-  }
+  for (const BlockQuality& block : identification.estimate.blocks) quality["blocks"].push_back(block_json(block));
   quality["lack_of_fit"] = Json::array();
   for (const CaseLackOfFit& tests : identification.estimate.lack_of_fit)
     for (const LackOfFit& test : tests.equations) quality["lack_of_fit"].push_back(lack_of_fit_json(test, tests));

@@ -96,6 +96,18 @@ void add_values(report::HtmlReport& page, const Estimate& estimate, bool lumps,
   page.table(table);
 }
 
+void add_following(report::HtmlReport& page, const Identification& id) {
+  if (id.following.empty()) return;
+  Table table;
+  table.columns = {{"Follows from the rest position", Column::Kind::text, ""},
+                   {"Estimate", Column::Kind::number, ""}};
+  for (const FollowingEstimate& f : id.following) {
+    table.rows.push_back({f.name, report::format_uncertain(f.value, f.sd) + (f.doubtful ? " doubtful" : "")});
+    table.row_tones.push_back(f.doubtful ? Tone::caution : Tone::neutral);
+  }
+  page.table(table);
+}
+
 void add_pairs(report::HtmlReport& page, const Estimate& estimate, const std::set<std::string>& frequencies) {
   constexpr std::size_t most = 6;
   std::vector<std::size_t> chosen;

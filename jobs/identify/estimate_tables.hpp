@@ -4,6 +4,7 @@
 #include <string>
 
 #include "estimator/identification/estimate.hpp"
+#include "jobs/identify/identification.hpp"
 #include "report/html_report.hpp"
 
 namespace secular {
@@ -19,6 +20,9 @@ void add_cards(report::HtmlReport& page, const Estimate& estimate, const std::se
 /// The table of the parameters, or of the lumps.
 void add_values(report::HtmlReport& page, const Estimate& estimate, bool lumps,
                 const std::set<std::string>& frequencies);
+
+/// The table of coefficients that follow from the rest position, where there are any.
+void add_following(report::HtmlReport& page, const Identification& id);
 
 /// Pairs of the first six parameters with a number and an error bar, with their correlations; nothing for one
 /// alone.

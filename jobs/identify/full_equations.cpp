@@ -31,21 +31,6 @@ bool has_no_expansion(RecordKind kind) {
   return kind == RecordKind::sweep || kind == RecordKind::broadband;
 }
 
-// What the modulation equations make of dwells and decays; empty where they make nothing of them, and `why`.
-std::map<std::string, double> start_by_modulation(const IdentificationRequest& request, const Campaign& campaign,
-                                                  std::string& why) {
-  std::map<std::string, double> start;
-  try {
-    for (const EstimatedValue& value : identify_by_modulation(request, campaign).estimate.parameters)
-      if (value.value && std::isfinite(*value.value)) start.emplace(value.name, *value.value);
-  } catch (const InputError& error) {
-    why = error.what();
-  } catch (const NumericalFailure& failure) {
-    why = failure.what();
-  }
-  return start;
-}
-
 // Symbols that are fitted; the fixed ones are known.
 std::vector<std::size_t> fitted_symbols(const CompiledModel& model, const std::map<std::string, double>& fixed) {
   std::vector<std::size_t> fitted;
@@ -87,6 +72,21 @@ std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::
   return records;
 }
 
+std::map<std::string, double> start_by_modulation(const IdentificationRequest& request, const Campaign& campaign,
+                                                  std::string& why) {
+  std::map<std::string, double> start;
+  if (!holds_dwells_or_decays(campaign, request.window)) return start;
+  try {
+    for (const EstimatedValue& value : identify_by_modulation(request, campaign).estimate.parameters)
+      if (value.value && std::isfinite(*value.value)) start.emplace(value.name, *value.value);
+  } catch (const InputError& error) {
+    why = error.what();
+  } catch (const NumericalFailure& failure) {
+    why = failure.what();
+  }
+  return start;
+}
+
 Identification identify_by_full_equations(const IdentificationRequest& request, const Campaign& campaign) {
   Identification id;
   FullEstimate& full = id.full.emplace();
@@ -106,10 +106,8 @@ Identification identify_by_full_equations(const IdentificationRequest& request, 
   id.model = source.load({});
   std::vector<std::map<std::string, double>> begins;
   std::string no_start;
-  if (holds_dwells_or_decays(id.campaign, request.window)) {
-    begins.push_back(start_by_modulation(request, campaign, no_start));
-    if (begins.back().empty()) begins.clear();
-  }
+  begins.push_back(start_by_modulation(request, campaign, no_start));
+  if (begins.back().empty()) begins.clear();
   begins.push_back({});
   const CampaignAndModel sides{id.campaign, read, *id.model, fitted_symbols(*id.model, request.fixed)};
   full = estimate_by_full_equations(sides, options, begins, std::move(found), request.progress);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -16,6 +17,11 @@ bool holds_dwells_or_decays(const Campaign& campaign, const Window& window);
 
 /// Those of some records that the modulation equations say nothing of: sweeps and broadband records.
 std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::size_t> records);
+
+/// What the modulation equations make of the dwells and free decays of the window, by name: a start for fits by the
+/// full equations. Nothing where they make nothing of them, and then `why`, or where there are none.
+std::map<std::string, double> start_by_modulation(const IdentificationRequest& request, const Campaign& campaign,
+                                                  std::string& why);
 
 /// Fits the model to all records of the window by its full equations of motion. Where dwells or free decays are
 /// among them, the estimate by the modulation equations of these is the start; nominal values and natural

@@ -128,6 +128,7 @@ std::string full_report(const Identification& id, const std::string& command) {
                        "with those it is entangled with."
                      : "The fit did not come to an end: there are no numbers.");
   add_values(page, id.estimate, false, frequencies);
+  add_following(page, id);
   add_pairs(page, id.estimate, frequencies);
   page.section("Measured and computed");
   for (std::size_t i = 0; i < std::min(most_records, full.compared.size()); ++i)

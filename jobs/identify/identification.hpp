@@ -40,6 +40,13 @@ struct IdentificationRequest {
   SearchProgress progress = {};      ///< of the full equations: fits so far, of about how many
 };
 
+/// A coefficient that follows from the rest position and other estimates (perturb/rest_position.hpp).
+struct FollowingEstimate {
+  std::string name;
+  double value = 0, sd = 0;
+  bool doubtful = false;  ///< one of those that it follows from is
+};
+
 /// Everything that a run of `identify` found, before it is written.
 struct Identification {
   Campaign campaign;
@@ -51,6 +58,7 @@ struct Identification {
   /// By the full equations, which have no cases, observations and lumps. Its estimate and disturbances are those
   /// beside it.
   std::optional<FullEstimate> full;
+  std::vector<FollowingEstimate> following;  ///< where all that they follow from is estimated
   std::vector<HeldOutPrediction> held_out;
   /// The first few decays of one mode in one piece, over what was fitted: for reports.
   std::vector<HeldOutPrediction> followed;

@@ -343,6 +343,7 @@ std::string identification_report(const Identification& id, const Figure& respon
       "of "
       "the same kind would not change that part).");
   add_values(page, id.estimate, false, frequencies);
+  add_following(page, id);
   add_pairs(page, id.estimate, frequencies);
   for (const std::string& line : scatter_lines(id.estimate)) page.paragraph(line + ".");
   for (std::size_t c = 0; c < id.measured.size(); ++c) {

@@ -22,8 +22,8 @@ namespace {
 
 using Eigen::Index;
 
-void load_case(const PlanRequest& request, PlanResult& plan) {
-  LoadedCase loaded = ModelSource(request.model, false, request.note).load_case(request.resonance);
+void load_case(const ModelSource& source, const PlanRequest& request, PlanResult& plan) {
+  LoadedCase loaded = source.load_case(request.resonance);
   plan.model = std::move(loaded.model);
   plan.resonance = loaded.resonance;
   if (!plan.resonance->excited || plan.model->excitations.size() != 1)
@@ -31,9 +31,10 @@ void load_case(const PlanRequest& request, PlanResult& plan) {
                      "dwells are planned for a case with one excitation");
 }
 
-void read_parameters(const PlanRequest& request, PlanResult& plan) {
+void read_parameters(const ModelSource& source, const PlanRequest& request, PlanResult& plan) {
   GivenParameters file = request.given ? *request.given : read_parameter_file(request.parameters);
   std::map<std::string, double>& given = file.values;
+  source.take_rest_position(given, request.parameters);
   given.merge(file.representative);
   const CompiledModel& model = *plan.model;
   const auto count = static_cast<Index>(model.symbols.size());
@@ -127,8 +128,9 @@ void find_unknowns(const PlanRequest& request, PlanResult& plan) {
 
 PlanResult plan_inputs(const PlanRequest& request) {
   PlanResult plan;
-  load_case(request, plan);
-  read_parameters(request, plan);
+  const ModelSource source(request.model, false, request.note);
+  load_case(source, request, plan);
+  read_parameters(source, request, plan);
   read_sensors(request, plan);
   find_unknowns(request, plan);
   return plan;

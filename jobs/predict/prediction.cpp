@@ -79,7 +79,7 @@ Prediction predict(const PredictionRequest& request, const SweepProgress& progre
   LoadedCase loaded = source.load_case(request.resonance);
   prediction.model = std::move(loaded.model);
   prediction.resonance = loaded.resonance;
-  read_prediction_inputs(request, prediction);
+  read_prediction_inputs(source, request, prediction);
   const ResponseField field(*prediction.model, *prediction.resonance);
   RangeMarks range(source, prediction, request.threads);
   if (!prediction.resonance->excited) {

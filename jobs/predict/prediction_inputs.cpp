@@ -99,9 +99,10 @@ void take_representative(const GivenParameters& given, const PredictionRequest& 
                     request.parameters, fmt::join(open, ", ")));
 }
 
-void read_parameters(const PredictionRequest& request, Prediction& prediction) {
+void read_parameters(const ModelSource& source, const PredictionRequest& request, Prediction& prediction) {
   const CompiledModel& model = *prediction.model;
-  const GivenParameters given = request.given ? *request.given : read_parameter_file(request.parameters);
+  GivenParameters given = request.given ? *request.given : read_parameter_file(request.parameters);
+  source.take_rest_position(given.values, request.parameters);
   const auto count = static_cast<Index>(prediction.names.size());
   prediction.parameters = VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t s = 0; s < model.nominal.size(); ++s)
@@ -145,11 +146,11 @@ Index index_of(const Prediction& prediction, const std::string& name) {
   return found - prediction.names.begin();
 }
 
-void read_prediction_inputs(const PredictionRequest& request, Prediction& prediction) {
+void read_prediction_inputs(const ModelSource& source, const PredictionRequest& request, Prediction& prediction) {
   prediction.names = ResponseField::parameter_names(*prediction.model);
   check_combination(request, prediction);
   take_vary(request, prediction);
-  read_parameters(request, prediction);
+  read_parameters(source, request, prediction);
 }
 
 }  // namespace secular

@@ -58,7 +58,7 @@ void RangeMarks::warn_of_moved_rest(const std::vector<Place>& places) {
     prediction_.warnings.push_back(
         fmt::format("a constant force moves the rest position, and the expansion is not made about it. That shifts "
                     "the rate of a small motion by {:.2g} 1/s, which these responses lack. Where it is not small "
-                    "beside damping, count coordinates from the rest position",
+                    "beside damping, write reference = \"rest\" at the head of the model file",
                     *shift));
 }
 

@@ -14,6 +14,7 @@
 #include "jobs/shared/install_layout.hpp"
 #include "jobs/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
+#include "perturb/rest_position.hpp"
 #include "perturb/with_effects.hpp"
 
 namespace secular {
@@ -75,6 +76,7 @@ void ModelSource::outline_text() {
     return;
   }
   name_ = model.name;
+  about_rest_ = model.rest != nullptr;
   modes_ = model.modes.size();
   for (std::size_t i = 0; i < model.frequency_count(); ++i) {
     const auto value = model.nominal.find(model.frequency_name(i));
@@ -114,6 +116,24 @@ LoadedCase ModelSource::load_case(const std::string& wanted) const {
 std::shared_ptr<const CompiledModel> ModelSource::load(const std::vector<std::string>& cases) const {
   if (compiled_in_) return {std::shared_ptr<void>(), compiled_in_};
   return load_text(*text_, cases, {});
+}
+
+std::vector<std::string> ModelSource::following_names() const {
+  std::vector<std::string> names;
+  if (!about_rest_) return names;
+  const Model read = model();
+  for (const HeldCoefficient& held : read.rest->held) names.push_back(held.name);
+  return names;
+}
+
+void ModelSource::take_rest_position(std::map<std::string, double>& values, const std::string& where) const {
+  if (about_rest_) secular::take_rest_position(model(), values, where);
+}
+
+std::vector<FollowingCoefficient> ModelSource::following_coefficients(
+    const std::map<std::string, double>& values) const {
+  if (!about_rest_) return {};
+  return secular::following_coefficients(model(), values);
 }
 
 ExpansionSizes ModelSource::expansion_sizes(const std::string& resonance) const {

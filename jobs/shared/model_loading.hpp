@@ -3,6 +3,7 @@
 #include <complex>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 #include "codegen/runtime/expansion_sizes.hpp"
 #include "estimator/model/compiled_model.hpp"
 #include "perturb/effect_catalogue.hpp"
+#include "perturb/following_coefficient.hpp"
 
 namespace secular {
 
@@ -75,6 +77,13 @@ class ModelSource {
   /// The model with case_named(wanted).
   LoadedCase load_case(const std::string& wanted) const;
 
+  /// Of a model about its rest position: the coefficients that its file states in place of some of its symbols.
+  std::vector<std::string> following_names() const;
+  /// See secular::take_rest_position; nothing for a model whose coordinates count from zero.
+  void take_rest_position(std::map<std::string, double>& values, const std::string& where) const;
+  /// See secular::following_coefficients.
+  std::vector<FollowingCoefficient> following_coefficients(const std::map<std::string, double>& values) const;
+
   /// Of one case, which is derived from the model's file.
   ExpansionSizes expansion_sizes(const std::string& resonance) const;
 
@@ -100,6 +109,7 @@ class ModelSource {
   std::optional<ModelText> text_;
   const CompiledModel* compiled_in_ = nullptr;
   bool interpret_ = false;
+  bool about_rest_ = false;
   NoteSink note_;
   EffectCatalogue catalogue_;
   std::size_t modes_ = 0;

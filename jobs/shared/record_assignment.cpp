@@ -122,8 +122,10 @@ Assignment assign_records(const ModelSource& model, const Campaign& campaign, co
     }
     if (!is_steady(entry.kind)) continue;
     dwells = true;
-    // A case that was asked for takes every dwell, and one whose natural frequencies nothing determined.
-    if (excited == 1 && (!chosen.empty() || !nominal_given(model))) {
+    // A case that was asked for takes every dwell, and one whose natural frequencies nothing determined, or which
+    // one frequency does not tell.
+    const bool has_several_excitations = model.nominal_frequencies().size() > model.modes() + 1;
+    if (excited == 1 && (!chosen.empty() || !nominal_given(model) || has_several_excitations)) {
       records[only][r] = true;
       continue;
     }

@@ -45,7 +45,11 @@ LoadedExperiment load_experiment(const std::filesystem::path& path, bool interpr
   std::vector<InstalledEffect> installed;
   for (const AddedEffect& added : loaded.effects)
     installed.push_back({added.parameters, added.term.mode, added.signal, added.added_mode, added.law});
-  Experiment experiment = read_experiment(path, *loaded.model, installed, catalogue);
+  const StatedParameters stated{source.following_names(),
+                                [&](std::map<std::string, double>& values, const std::string& where) {
+                                  source.take_rest_position(values, where);
+                                }};
+  Experiment experiment = read_experiment(path, *loaded.model, installed, catalogue, stated);
   return {std::move(loaded.model), std::move(experiment)};
 }
 

@@ -266,6 +266,17 @@ class DwellObserver {
     return power(guess) > power(decomposed) ? guess : decomposed;
   }
 
+  // The nominal frequency is that of one of several excitations: each is where it has more power.
+  double excitation_guess(const MatrixXd& samples, double rate, const RecordEntry& entry) const {
+    const double nominal = two_pi * entry.excitation_frequency_hz.value_or(0.0);
+    if (nominal > 0 && excitations_.size() == 1) return nominal;
+    const double strongest = strongest_frequency(samples.col(0), rate);
+    const auto power = [&](double w) {
+      return tone_power(samples, rate, VectorXd::Constant(1, tone_near(samples, rate, w)));
+    };
+    return nominal > 0 && power(nominal) >= power(strongest) ? nominal : strongest;
+  }
+
   void warn_of_level(const RecordEntry& entry, const std::vector<Observation>& found,
                      ObservationSet& result) const {
     if (!entry.excitation_amplitude || !(*entry.excitation_amplitude > 0) || excitations_.size() != 1) return;
@@ -298,8 +309,7 @@ class DwellObserver {
     const RecordEntry& entry = campaign_.records[ensemble.index];
     const double rate = ensemble.record.sample_rate_hz;
     const MatrixXd samples = samples_of(ensemble.record, {channel}, ensemble.begin, ensemble.count);
-    const double guess = entry.excitation_frequency_hz ? two_pi * *entry.excitation_frequency_hz
-                                                       : strongest_frequency(samples.col(0), rate);
+    const double guess = excitation_guess(samples, rate, entry);
     const double start = tone_near(samples, rate, guess);
     ToneOptions tone;
     tone.harmonics = {1};

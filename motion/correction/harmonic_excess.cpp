@@ -151,7 +151,7 @@ class ExcessOfCase {
   BalancedMotions motions_;
 };
 
-// docs/inference.md (55).
+// docs/inference.md (56).
 std::optional<HarmonicExcess> excess_of_block(const std::vector<std::vector<ExcessOfOne>>& all, std::size_t block) {
   HarmonicExcess sum{.block = block};
   double squares = 0, weights = 0, chi_squared = 0, count = 0;

@@ -9,7 +9,7 @@
 
 namespace secular {
 
-/// A harmonic of a case that is measured larger than the full equations make it, docs/inference.md (55).
+/// A harmonic of a case that is measured larger than the full equations make it, docs/inference.md (56).
 struct HarmonicExcess {
   const CompiledCase* resonance = nullptr;
   std::size_t block = 0;

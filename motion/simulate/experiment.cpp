@@ -12,7 +12,7 @@
 namespace secular {
 namespace {
 
-Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target) {
+Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target, const StatedParameters& stated) {
   const CompiledModel& model = target.model;
   std::map<std::string_view, double> of_effects;
   each_motion_effect(target, [&](const ExperimentEffect& effect, const InstalledEffect& installed) {
@@ -22,7 +22,12 @@ Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target) {
   std::vector<std::string_view> known;
   for (const CompiledSymbol& symbol : model.symbols)
     if (!of_effects.contains(symbol.name)) known.push_back(symbol.name);
-  table.refuse_unknown_keys(known);
+  std::vector<std::string_view> keys = known;
+  keys.insert(keys.end(), stated.names.begin(), stated.names.end());
+  table.refuse_unknown_keys(keys);
+  std::map<std::string, double> given;
+  for (const std::string& key : table.keys()) given[key] = table.number(key);
+  if (stated.take) stated.take(given, table.file() + ", [parameters]");
   Eigen::VectorXd values(static_cast<Eigen::Index>(model.symbols.size()));
   for (std::size_t p = 0; p < model.symbols.size(); ++p) {
     const auto index = static_cast<Eigen::Index>(p);
@@ -31,7 +36,8 @@ Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target) {
       values(index) = found->second;
       continue;
     }
-    values(index) = table.has(name) ? table.number(name) : model.nominal[p];
+    const auto number = given.find(std::string(name));
+    values(index) = number != given.end() ? number->second : model.nominal[p];
     if (std::isnan(values(index))) table.fail(name, "is missing", "this model's symbols are " + listed(known));
     if (p < model.modes() && values(index) <= 0)
       table.fail(name, "is not positive", "a natural frequency in rad/s");
@@ -167,7 +173,8 @@ std::string experiment_model(const std::filesystem::path& path) {
 }
 
 Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model,
-                           std::span<const InstalledEffect> installed, const EffectCatalogue& catalogue) {
+                           std::span<const InstalledEffect> installed, const EffectCatalogue& catalogue,
+                           const StatedParameters& stated) {
   const TomlTable root = TomlTable::from_file(path);
   root.refuse_unknown_keys({"schema",     "name",       "source",      "model", "parameters", "sample_rate_hz",
                             "excitation", "response",   "modal_basis", "dwell", "free_decay", "sweep",
@@ -179,7 +186,7 @@ Experiment read_experiment(const std::filesystem::path& path, const CompiledMode
   experiment.file = path.string();
   experiment.name = root.string("name");
   experiment.model = root.string("model");
-  experiment.parameters = read_parameters(root.table("parameters"), target);
+  experiment.parameters = read_parameters(root.table("parameters"), target, stated);
   experiment.sample_rate_hz = positive(root, "sample_rate_hz");
   if (root.has("excitation")) {
     const TomlTable table = root.table("excitation");

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -90,11 +91,19 @@ struct Experiment {
 /// Name of the model that an experiment file asks for.
 std::string experiment_model(const std::filesystem::path& path);
 
+/// Parameters that a file may give in place of some of a model's symbols, and what makes those of them; `where` is
+/// what messages call the values.
+struct StatedParameters {
+  std::vector<std::string> names;
+  std::function<void(std::map<std::string, double>& values, const std::string& where)> take;
+};
+
 /// Reads an experiment file (schema 1, see docs/simulating.md for its keys) for `model`, which holds the file's
 /// motion effects: `installed`, one for each in file order (see read_experiment_effects). Throws InputError with
 /// line and key.
 Experiment read_experiment(const std::filesystem::path& path, const CompiledModel& model,
                            std::span<const InstalledEffect> installed = {},
-                           const EffectCatalogue& catalogue = effect_catalogue());
+                           const EffectCatalogue& catalogue = effect_catalogue(),
+                           const StatedParameters& stated = {});
 
 }  // namespace secular

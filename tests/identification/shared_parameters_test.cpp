@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -73,6 +75,66 @@ TEST(SharedParameters, SlopeIsThatOfLumpsCorrectedAtTheValues) {
                             (2 * step);
     EXPECT_LT((shared.slope[0].col(l) - change).norm(), 1e-4 * (1 + change.norm())) << "lump " << l;
   }
+}
+
+// Lumps of a loaded spring of unit frequency, docs/new_resonance_case.md: 3/2*(a - 10*(a*x)^2) and -6*a*x. Zero is
+// a saddle of them, and where the second part of the first is the larger one its sign is not that of a.
+class LoadedSpringLumps : public testing::Test {
+ protected:
+  LoadedSpringLumps() {
+    case_.lumps = names_;
+    case_.evaluate_lumps = lumps_of;
+    case_.evaluate_lumps_jacobian = slopes_of;
+    part_.resonance = &case_;
+    part_.index = {0, 1, -1};
+    part_.combination = MatrixXd::Identity(3, 3);
+    part_.plain = Eigen::Vector3d(1e-3, 1e-3, 1e-6).cwiseAbs2().asDiagonal();
+    part_.influence = MatrixXd::Zero(2, 3);
+    part_.degrees_of_freedom = 20;
+    part_.truncation_effect = MatrixXd::Zero(3, 0);
+  }
+  static void lumps_of(const double* p, double* lumps) {
+    const double a = p[1], x = p[2];
+    lumps[0] = 1.5 * (a - 10 * a * a * x * x);
+    lumps[1] = -6 * a * x;
+  }
+  static void slopes_of(const double* p, double* slope) {
+    const double a = p[1], x = p[2];
+    const double rows[] = {0, 1.5 * (1 - 20 * a * x * x), -30 * a * a * x, 0, -6 * x, -6 * a};
+    std::copy(std::begin(rows), std::end(rows), slope);
+  }
+  void see(const VectorXd& truth) {
+    part_.values = VectorXd::Ones(3);
+    lumps_of(truth.data(), part_.values.data());
+  }
+  VectorXd found() const {
+    return shared_parameters(std::vector{part_}, Eigen::Vector3d(1, 0, 0), {false, false, false}).values;
+  }
+
+  CompiledLump names_[2] = {};
+  CompiledCase case_;
+  LumpEstimates part_;
+};
+
+TEST_F(LoadedSpringLumps, AreFollowedOnTheRightSideOfZero) {
+  for (const double a : {0.5, -0.5, 1.0})
+    for (const double x : {0.1, -0.1, 0.5, -0.5}) {
+      const VectorXd truth = Eigen::Vector3d(1, a, x);
+      see(truth);
+      EXPECT_LT((found() - truth).norm(), 1e-6) << a << " " << x << ": " << found().transpose();
+    }
+}
+
+// Slopes of the truncation's correction at the parameters, as large beside the lumps as they may be: carried to
+// zero they would be as large as the lumps.
+TEST_F(LoadedSpringLumps, AreCorrectedAtTheParametersAndNotAtZero) {
+  const VectorXd truth = Eigen::Vector3d(1, 0.5, 0.1);
+  see(truth);
+  part_.truncation_at = truth;
+  part_.truncation_slope = MatrixXd::Zero(3, 3);
+  part_.truncation_slope(0, 1) = 2.5;
+  part_.truncation_slope(0, 2) = -2;
+  EXPECT_LT((found() - truth).norm(), 1e-6) << found().transpose();
 }
 
 class Entangled : public testing::Test {

@@ -46,6 +46,12 @@ TEST(Field, JoinedModuliHaveTheSameValue) {
   }
 }
 
+TEST(Field, ProductsBeyondAllMeasureEnd) {
+  ProductCount count;
+  count.add(ProductCount::most);
+  EXPECT_THROW(count.add(1), std::length_error);
+}
+
 TEST(Field, ProductOfSeriesIsTheProductOfPolynomialsInEps) {
   std::mt19937 random(4);
   const FieldSeries a{random_field(layout, 2, random), random_field(layout, 2, random)},
@@ -62,7 +68,8 @@ TEST(Field, ProductOfSeriesIsTheProductOfPolynomialsInEps) {
           if (i + j + k == order)
             expected +=
                 x[static_cast<std::size_t>(i)] * x[static_cast<std::size_t>(j)] * y[static_cast<std::size_t>(k)];
-    expect_near(value(product_at_order({&a, &b, &a}, order), layout, at), expected, 1e-10);
+    ProductCount count;
+    expect_near(value(product_at_order({&a, &b, &a}, order, count), layout, at), expected, 1e-10);
   }
 }
 
