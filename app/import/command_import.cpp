@@ -35,7 +35,7 @@ RecordSummary summary_of(const std::vector<LineRow>& rows) {
 }
 
 void print_json(const ImportedCampaign& imported, const std::vector<RecordSummary>& records,
-                const ImportOptions& options, const std::string& folder) {
+                const std::string& folder) {
   const Campaign& campaign = imported.campaign;
   nlohmann::ordered_json summary = {{"campaign", folder}, {"name", campaign.name}};
   if (campaign.sample_rate_hz > 0) summary["sample_rate_hz"] = campaign.sample_rate_hz;
@@ -57,7 +57,7 @@ void print_json(const ImportedCampaign& imported, const std::vector<RecordSummar
     }
     summary["records"].push_back({{"file", campaign.records[r].file},
                                   {"kind", to_string(campaign.records[r].kind)},
-                                  {"from", options.files[r].string()},
+                                  {"from", imported.sources[r].string()},
                                   {"samples", records[r].samples},
                                   {"start_s", records[r].start_s},
                                   {"duration_s", records[r].duration_s}});
@@ -196,7 +196,7 @@ void add_import_command(CLI::App* command, Action& chosen) {
       writer.finish(imported.campaign);
       print_warnings(imported.warnings);
       if (options->json)
-        print_json(imported, records, options->import, options->output.path());
+        print_json(imported, records, options->output.path());
       else
         print_text(imported, records, options->output.path());
       return 0;

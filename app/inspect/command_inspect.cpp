@@ -4,6 +4,8 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,9 +14,13 @@
 #include <system_error>
 #include <vector>
 
+#include "app/inspect/inspection_report.hpp"
+#include "app/inspect/proposed_import.hpp"
 #include "app/inspect/table_summary.hpp"
+#include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
 #include "jobs/shared/disturbance_output.hpp"
@@ -143,28 +149,25 @@ void print_levels(const Campaign& campaign, const std::vector<RecordInspection>&
   if (rows.size() > 1) fmt::print("\nlevels\n{}{}", aligned(rows, 3), level_note);
 }
 
-// Adds what a record holds beside the motion.
-RecordLook disturbances_into(std::vector<Disturbance>& all, const Campaign& campaign) {
-  return [&](std::size_t index, const Record& record) {
-    const std::vector<Disturbance> found = find_disturbances(campaign, index, record);
-    all.insert(all.end(), found.begin(), found.end());
-  };
-}
-
-// A campaign with the records that are asked for, and what is in them.
-struct InspectedCampaign {
-  Campaign campaign;
-  std::vector<RecordInspection> records;
-  std::vector<Disturbance> disturbances;
+// What is made of an inspection.
+struct Wanted {
+  Window window;
+  InspectionLimit limit;
+  bool pictures = false;
 };
 
-InspectedCampaign inspected(const std::filesystem::path& folder, const Window& window,
-                            const InspectionLimit& limit) {
-  InspectedCampaign result{read_campaign(folder), {}, {}};
+InspectedCampaign inspected(const std::filesystem::path& folder, const Wanted& wanted) {
+  const Window& window = wanted.window;
+  const InspectionLimit& limit = wanted.limit;
+  InspectedCampaign result{read_campaign(folder), {}, {}, {}};
   require_match(result.campaign, window);
   std::erase_if(result.campaign.records,
                 [&](const RecordEntry& entry) { return !matches_record(window.records, entry.file); });
-  result.records = inspect_records(result.campaign, limit, disturbances_into(result.disturbances, result.campaign));
+  result.records = inspect_records(result.campaign, limit, [&](std::size_t index, const Record& record) {
+    const std::vector<Disturbance> found = find_disturbances(result.campaign, index, record);
+    result.disturbances.insert(result.disturbances.end(), found.begin(), found.end());
+    if (wanted.pictures) result.pictures.push_back(record_pictures(result.campaign, index, record, found));
+  });
   const bool none = std::none_of(result.records.begin(), result.records.end(),
                                  [](const RecordInspection& record) { return record.judged > 0 || !record.axis; });
   if (none && !limit.span.all())
@@ -173,9 +176,10 @@ InspectedCampaign inspected(const std::filesystem::path& folder, const Window& w
   return result;
 }
 
-void print_campaign(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
-  const auto [campaign, records, disturbances] = inspected(folder, window, limit);
+void print_campaign(const std::filesystem::path& folder, const InspectedCampaign& found) {
+  const auto& [campaign, records, disturbances, pictures] = found;
   fmt::print("campaign '{}' in {}\n", visible(campaign.name), folder.string());
+  fmt::print("{}\n", visible(usable_sentence(found)));
   if (campaign.sample_rate_hz > 0) fmt::print("sample rate {} Hz\n", campaign.sample_rate_hz);
   print_channels(campaign);
   print_tables(campaign);
@@ -197,6 +201,15 @@ void print_campaign(const std::filesystem::path& folder, const Window& window, c
     for (const std::string& fault : table.faults) faults.push_back(table.file + ": " + fault);
   print_faults(faults);
   print_disturbances(disturbances, campaign, records.size());
+  const auto any = [&, &all = campaign.records](std::initializer_list<RecordKind> kinds) {
+    return std::any_of(all.begin(), all.end(), [&](const RecordEntry& entry) {
+      return std::find(kinds.begin(), kinds.end(), entry.kind) != kinds.end();
+    });
+  };
+  fmt::print("\nNext: secular identify {} --model MODEL -o OUT\n", folder.string());
+  if (any({RecordKind::free_decay, RecordKind::impact}))
+    fmt::print("      secular modal {} -o OUT (frequencies, damping and shapes, without a model)\n",
+               folder.string());
 }
 
 // "m/s^2", "m/s^2 (from g)", "EU ?" for a unit that is not known.
@@ -206,24 +219,18 @@ std::string shown_unit(const VariableInspection& variable) {
   return fmt::format("{} (from {})", variable.unit, variable.stated_unit);
 }
 
-// A file, and what is in it beside a motion that nothing is said of.
-struct InspectedFile {
-  FileInspection file;
-  Campaign campaign;  // of this one record
-  std::vector<Disturbance> disturbances;
-};
-
-InspectedFile inspected_file(const std::filesystem::path& path, const InspectionLimit& limit) {
+InspectedFile inspected_file(const std::filesystem::path& path, const Wanted& wanted) {
   InspectedFile result;
-  result.file = inspect_file(path, limit, [&](const Campaign& campaign, const Record& record) {
+  result.file = inspect_file(path, wanted.limit, [&](const Campaign& campaign, const Record& record) {
     result.campaign = campaign;
     result.disturbances = find_disturbances(campaign, 0, record);
+    if (wanted.pictures) result.pictures.push_back(record_pictures(campaign, 0, record, result.disturbances));
   });
   return result;
 }
 
-void print_file(const std::filesystem::path& path, const InspectionLimit& limit) {
-  const auto [file, campaign, disturbances] = inspected_file(path, limit);
+void print_file(const std::filesystem::path& path, const InspectedFile& found) {
+  const auto& [file, campaign, disturbances, pictures] = found;
   fmt::print("{}: {} with {}\n", path.string(), file.format, count(file.variables.size(), "numeric variable"));
   if (file.segments > 1)
     fmt::print("{} segments, each of which `secular import` makes a record: this is the first\n", file.segments);
@@ -252,20 +259,12 @@ void print_file(const std::filesystem::path& path, const InspectionLimit& limit)
   for (const std::string& variable : unusable) fmt::print("no channel: {}\n", variable);
   print_faults(faults);
   print_disturbances(disturbances, campaign, 1);
-  const bool stated = std::any_of(file.variables.begin(), file.variables.end(),
-                                  [&, &file = file](const VariableInspection& variable) {
-                                    return variable.name != file.time && !variable.unit.empty();
-                                  });
   if (const std::string table = table_import(path, file); !table.empty()) {
     fmt::print("\nTo use it as a table of lines: {}\n", table);
     if (file.time.empty()) return;
   }
-  const bool plain = file.time.find_first_of(" ()[]{}") == std::string::npos;
-  const char* const rest = stated ? "" : file.format == "WAV" ? ":QUANTITY:UNIT:FACTOR" : ":QUANTITY:UNIT";
-  fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path.string(),
-             rest,
-             file.time.empty() ? " --sample-rate HZ"
-                               : (plain ? " --time " + file.time : fmt::format(" --time '{}'", file.time)));
+  if (const std::string command = proposed_import(path, file); !command.empty())
+    fmt::print("\nTo use it: {}\n", command);
 }
 
 Json faults_json(const std::vector<DataFault>& faults) {
@@ -294,8 +293,8 @@ void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t sam
   object["duration_s"] = axis ? Json(duration_s(*axis, samples)) : Json(nullptr);
 }
 
-Json campaign_json(const std::filesystem::path& folder, const Window& window, const InspectionLimit& limit) {
-  const auto [campaign, records, disturbances] = inspected(folder, window, limit);
+Json campaign_json(const std::filesystem::path& folder, const InspectedCampaign& found) {
+  const auto& [campaign, records, disturbances, pictures] = found;
   Json root = {{"campaign", folder.string()}, {"name", campaign.name}};
   if (campaign.sample_rate_hz > 0) root["sample_rate_hz"] = campaign.sample_rate_hz;
   root["channels"] = Json::array();
@@ -337,6 +336,7 @@ Json campaign_json(const std::filesystem::path& folder, const Window& window, co
     if (entry.excitation_frequency_hz) record["excitation_frequency_hz"] = *entry.excitation_frequency_hz;
     if (entry.excitation_amplitude) record["excitation_amplitude"] = *entry.excitation_amplitude;
     if (!entry.group.empty()) record["group"] = entry.group;
+    record["usable"] = record_obstacle(found, r).empty();
     record["faults"] = faults_json(records[r].faults);
     faults += records[r].faults.size();
     record["channels"] = Json::array();
@@ -353,8 +353,8 @@ Json campaign_json(const std::filesystem::path& folder, const Window& window, co
   return root;
 }
 
-Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) {
-  const auto [file, campaign, disturbances] = inspected_file(path, limit);
+Json file_json(const std::filesystem::path& path, const InspectedFile& found) {
+  const auto& [file, campaign, disturbances, pictures] = found;
   Json root = {{"file", path.string()}, {"format", file.format}, {"segments", file.segments}};
   if (file.partial) root["judged"] = "the first samples";
   if (file.estimated) root["lengths_estimated"] = true;
@@ -385,12 +385,39 @@ Json file_json(const std::filesystem::path& path, const InspectionLimit& limit) 
   return root;
 }
 
+struct Results {
+  std::string json, report;
+  std::function<void()> print;
+};
+
+constexpr auto replace_broken_text = Json::error_handler_t::replace;
+
+Results results_of(const std::filesystem::path& path, const Wanted& wanted, const std::string& command) {
+  Results results;
+  const std::string source = path.string();
+  if (std::filesystem::is_directory(path)) {
+    auto found = std::make_shared<InspectedCampaign>(inspected(path, wanted));
+    results.json = campaign_json(path, *found).dump(2, ' ', false, replace_broken_text) + "\n";
+    if (wanted.pictures) results.report = inspection_report(*found, "campaign: " + source, command);
+    results.print = [path, found] { print_campaign(path, *found); };
+    return results;
+  }
+  auto found = std::make_shared<InspectedFile>(inspected_file(path, wanted));
+  results.json = file_json(path, *found).dump(2, ' ', false, replace_broken_text) + "\n";
+  if (wanted.pictures)
+    results.report =
+        inspection_report(*found, fmt::format("file: {}", source), command, proposed_import(path, found->file));
+  results.print = [path, found] { print_file(path, *found); };
+  return results;
+}
+
 }  // namespace
 
 void add_inspect_command(CLI::App* command, Action& chosen) {
   struct Options {
     std::string path;
     SelectionOptions selection;
+    OutputFolder output{{"inspection.json", "report.html"}};
     bool json = false, whole = false;
   };
   auto options = std::make_shared<Options>();
@@ -398,15 +425,16 @@ void add_inspect_command(CLI::App* command, Action& chosen) {
       ->add_option("CAMPAIGN_OR_FILE", options->path, "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
       ->required();
   options->selection.add_to(*command, {.band = false});
+  options->output.add_to(*command, "folder for report.html and inspection.json (default: none)", false);
   command->add_flag("--whole", options->whole, "read everything, also where data are larger than 64 MB");
   command->add_flag("--json", options->json, "the same as JSON");
   command->footer(
       "Faults are for you to judge: offset, clipping, constant or coarse channels, missing samples, uneven time.\n"
       "Of more than 64 MB the first samples of every record are judged, at once; --whole reads all, a record at a "
       "time.\n"
-      "Example: secular inspect out/test");
-  command->callback([options, &chosen] {
-    chosen = [options] {
+      "Example: secular inspect out/test -o out/inspection");
+  command->callback([options, command, &chosen] {
+    chosen = [options, command] {
       const Window window = options->selection.window();
       std::error_code ignored;
       std::filesystem::path path = options->path;
@@ -416,16 +444,19 @@ void add_inspect_command(CLI::App* command, Action& chosen) {
                          fmt::format("a campaign folder or a {} file was expected", data_formats));
       const bool folder = std::filesystem::is_directory(path, ignored);
       if (!folder) options->selection.require_any_record(options->path);
-      InspectionLimit limit;
-      limit.span = options->selection.span();
-      if (options->whole) limit.whole_bytes = std::numeric_limits<std::size_t>::max();
+      const bool report = !options->output.path().empty();
+      if (report) options->output.check({{"what is inspected", path.string(), true}});
+      Wanted wanted{window, {}, report};
+      wanted.limit.span = options->selection.span();
+      if (options->whole) wanted.limit.whole_bytes = std::numeric_limits<std::size_t>::max();
+      const Results results = results_of(path, wanted, command_line_of(*command));
+      if (report) options->output.write({{"inspection.json", results.json}, {"report.html", results.report}});
       if (options->json)
-        fmt::print("{}\n", (folder ? campaign_json(path, window, limit) : file_json(path, limit))
-                               .dump(2, ' ', false, Json::error_handler_t::replace));
-      else if (folder)
-        print_campaign(path, window, limit);
+        fmt::print("{}", results.json);
       else
-        print_file(path, limit);
+        results.print();
+      if (report && !options->json)
+        fmt::print("written: {0}/inspection.json, {0}/report.html\n", options->output.path());
       return 0;
     };
   });

@@ -50,11 +50,13 @@ struct ImportedCampaign {
   Campaign campaign;
   std::vector<std::string> left_out;        ///< variables that no --channel or --time names, each once
   std::vector<ConvertedChannel> converted;  ///< channels whose unit the first file spells in another way or scales
-  std::vector<std::string> warnings;        ///< what was done to the samples, or is wrong with their time
+  std::vector<std::filesystem::path> sources{};  ///< of samples: by record, the file that it came from
+  std::vector<std::string> warnings{};           ///< what was done to the samples, or is wrong with their time
 };
 
-/// Reads the files as records of one campaign; samples keep their bits, but for units that a file
-/// states and that are not SI: those are converted. Throws InputError that names the option for
+/// Reads the files as records of one campaign, one each, or one for each of its segments (count_segments) and of
+/// the numbers that "*" stands for in the variables (numbered_options.hpp); samples keep their bits, but for units
+/// that a file states and that are not SI: those are converted. Throws InputError that names the option for
 /// everything the files cannot say, and the file's variables where it helps. `sink` takes the records one after
 /// another: together they need not fit into memory.
 ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink);

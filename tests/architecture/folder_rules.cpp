@@ -91,7 +91,7 @@ const FolderTable& folder_table() {
       {"app/identify", {"input", "report", "jobs/shared", "jobs/identify", "app/shared"}},
       {"app/import", {"measure/data", "app/shared"}},
       {"app/inspect",
-       {"input", "measure/formats", "measure/data", "measure/disturbances", "jobs/shared", "app/shared"}},
+       {"input", "report", "measure/formats", "measure/data", "measure/disturbances", "jobs/shared", "app/shared"}},
       {"app/modal", {"input", "numerics", "report", "measure/modal", "jobs/shared", "app/shared"}},
       {"app/plan",
        {"input", "numerics", "report", "measure/data", "measure/observe", "estimator/identification",
