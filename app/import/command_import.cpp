@@ -148,7 +148,8 @@ void add_import_command(CLI::App* command, Action& chosen) {
       ->expected(1)
       ->take_all();
   command->add_option("--time", import.time,
-                      "variable that holds the time (default: t), in seconds where neither the file nor NAME:UNIT "
+                      "variable that holds the time (default: the one called t or time), in seconds where neither "
+                      "the file nor NAME:UNIT "
                       "says ms, us, min, ...");
   command->add_option("--sample-rate", import.sample_rate_hz, "samples a second, where no variable holds time");
   command->add_option("--name", import.name, "name of the campaign (default: of the first file)");

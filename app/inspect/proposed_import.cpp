@@ -124,9 +124,9 @@ std::vector<const VariableInspection*> channels_in(const FileInspection& file) {
       length = std::max(length, samples_of(variable));
   std::vector<const VariableInspection*> channels;
   for (const VariableInspection& variable : file.variables)
-    if (variable.quality && length > 1 && samples_of(variable) == length && variable.name != file.time &&
-        !is_called_time(variable.name) && !holds_word_time(variable.name) && !is_row_number(variable) &&
-        !(variable.name.ends_with(".im") || variable.name.ends_with(".re")))
+    if (variable.quality && 2 * variable.quality->missing < length && samples_of(variable) == length &&
+        variable.name != file.time && !is_called_time(variable.name) && !holds_word_time(variable.name) &&
+        !is_row_number(variable) && !(variable.name.ends_with(".im") || variable.name.ends_with(".re")))
       channels.push_back(&variable);
   return channels;
 }

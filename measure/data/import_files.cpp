@@ -54,6 +54,10 @@ RowChoice time_variable(const ImportOptions& options, const Variables& variables
   }
   if (options.sample_rate_hz) return {};
   if (find_variable(variables, "t")) return {"t", "", {}};
+  const auto is_time = [](const DataVariable& variable) { return is_called_time(variable.name); };
+  const auto only = std::find_if(variables.begin(), variables.end(), is_time);
+  if (only != variables.end() && std::find_if(only + 1, variables.end(), is_time) == variables.end())
+    return {only->name, "", {}};
   throw InputError(file, "", "what its time is, is not known: its variables are " + listed_names(variables),
                    "name the variable with --time NAME, or give --sample-rate HZ");
 }

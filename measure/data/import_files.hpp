@@ -31,7 +31,7 @@ struct ImportOptions {
   std::vector<std::filesystem::path> files;  ///< one record each
   std::string kind;                          ///< --kind
   std::vector<std::string> channels;         ///< --channel NAME[=VARIABLE]:ROLE[:QUANTITY:UNIT]
-  std::string time;                          ///< --time; empty: a variable named "t" if there is one
+  std::string time;                          ///< --time; empty: "t", or the one variable that is called time
   std::optional<double> sample_rate_hz;  ///< --sample-rate; checked against the time stamps where both are given
   std::string name;                      ///< --name; empty: the first file's name without extension
   std::string group;                     ///< --group
