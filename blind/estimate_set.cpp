@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "blind/campaign_work.hpp"
 #include "blind/sealed_files.hpp"
 #include "input/input_error.hpp"
 
@@ -67,10 +68,15 @@ std::vector<Figure> figures_of(const NumberShare& all, std::size_t beyond) {
 
 }  // namespace
 
+Performer identifying(const CampaignWork& work) {
+  return [work](std::size_t i) {
+    const fs::path place = sealed_folder(work.folder, i + 1);
+    return fs::exists(estimate_file(place)) ? kept_before() : done_now(identify_sealed(place, work.how));
+  };
+}
+
 RunSummary identify_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
-  return run_campaigns(
-      folder, options, [](const fs::path& place) { return fs::exists(estimate_file(place)); },
-      [&](const fs::path& place) { return identify_sealed(place, options); }, progress);
+  return run_campaigns(folder, options, "identify", progress);
 }
 
 std::vector<JudgedNumber> judged_numbers(std::size_t number, const std::map<std::string, double>& truth,

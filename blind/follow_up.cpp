@@ -1,12 +1,12 @@
 #include "blind/follow_up.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
+#include "blind/campaign_work.hpp"
 #include "blind/random.hpp"
 #include "blind/sealed_files.hpp"
 #include "input/folder_lock.hpp"
@@ -53,46 +53,42 @@ fs::path follow_up_folder(const fs::path& place, const std::string& which) {
   return place / "next" / which;
 }
 
+Performer following(const CampaignWork& work) {
+  return [plans = draw_plans(work.set), diagnoser = Diagnoser(work.how), work](std::size_t i) {
+    const fs::path place = sealed_folder(work.folder, plans[i].number),
+                   first = place / "diagnosis" / "diagnosis.json";
+    const nlohmann::json diagnosis =
+        fs::exists(first) ? nlohmann::json::parse(read_text(first), nullptr, false) : nlohmann::json();
+    Answer answer = Answer::object();
+    if (!diagnosis.is_object() || diagnosis.value("verdict", "") != "set") return answer;
+    answer["set"] = true;
+    const std::uint64_t seed = work.set.seed;
+    const SealedCampaign sealed = draw_campaign(plans[i], seed);
+    const std::optional<FurtherDwell> proposal = proposal_of(diagnosis, sealed.specimen.dwells.size());
+    if (!proposal) return answer;
+    answer["proposed"] = true;
+    Random random(seed, 2'000'000 + plans[i].number);
+    const FurtherDwell compared = random_dwell(sealed.specimen, proposal->length, random);
+    for (const std::string which : follow_ups) {
+      const bool asked = which == std::string(follow_ups[0]);
+      const fs::path target = follow_up_folder(place, which);
+      if (fs::exists(target / "diagnosis" / "diagnosis.json")) continue;
+      std::error_code ignored;
+      fs::remove_all(target, ignored);
+      make_folder(target);
+      write_extended_campaign(sealed, seed, asked ? *proposal : compared, place / "campaign", target / "campaign");
+      if (const std::optional<std::string> fault = diagnoser.run(place, target / "campaign", target))
+        answer["faults"].push_back(which + ": " + *fault);
+    }
+    return answer;
+  };
+}
+
 FollowUpSummary follow_up_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
   const SetOptions set = options_of(folder);
   const FolderLock lock = lock_or_refuse(folder);
-  const Diagnoser diagnoser(options);
-  const std::vector<CampaignPlan> plans = draw_plans(set);
-  FollowUpSummary summary;
-  Failures failures;
-  std::atomic<std::size_t> done{0}, sets{0}, proposed{0};
-  in_parallel(plans.size(), options.threads, [&](std::size_t i) {
-    const fs::path place = sealed_folder(folder, plans[i].number), first = place / "diagnosis" / "diagnosis.json";
-    const nlohmann::json diagnosis =
-        fs::exists(first) ? nlohmann::json::parse(read_text(first), nullptr, false) : nlohmann::json();
-    if (diagnosis.is_object() && diagnosis.value("verdict", "") == "set") {
-      const SealedCampaign sealed = draw_campaign(plans[i], set.seed);
-      const std::optional<FurtherDwell> proposal = proposal_of(diagnosis, sealed.specimen.dwells.size());
-      ++sets;
-      if (proposal) {
-        ++proposed;
-        Random random(set.seed, 2'000'000 + plans[i].number);
-        const FurtherDwell compared = random_dwell(sealed.specimen, proposal->length, random);
-        for (const std::string which : follow_ups) {
-          const bool asked = which == std::string(follow_ups[0]);
-          const fs::path target = follow_up_folder(place, which);
-          if (fs::exists(target / "diagnosis" / "diagnosis.json")) continue;
-          std::error_code ignored;
-          fs::remove_all(target, ignored);
-          make_folder(target);
-          write_extended_campaign(sealed, set.seed, asked ? *proposal : compared, place / "campaign",
-                                  target / "campaign");
-          if (const std::optional<std::string> fault = diagnoser.run(place, target / "campaign", target))
-            failures.add(plans[i].number, which + ": " + *fault);
-        }
-      }
-    }
-    if (progress) progress(++done, plans.size());
-  });
-  summary.sets = sets;
-  summary.proposed = proposed;
-  summary.failed = failures.by_number();
-  return summary;
+  const std::vector<Answer> answers = for_all_campaigns({"follow", folder, set, options}, set.campaigns, progress);
+  return {count_of(answers, "set"), count_of(answers, "proposed"), failed_of(answers)};
 }
 
 }  // namespace secular::blind

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "blind/campaign_work.hpp"
 #include "blind/sealed_files.hpp"
 #include "input/folder_lock.hpp"
 #include "input/input_error.hpp"
@@ -79,52 +79,38 @@ Diagnoser::End Diagnoser::run(std::vector<std::string> arguments, const fs::path
   return end;
 }
 
-void Failures::add(std::size_t number, std::string reason) {
-  const std::lock_guard lock(guard_);
-  failed_.push_back({number, std::move(reason)});
-}
-
-std::vector<FailedCampaign> Failures::by_number() {
-  const std::lock_guard lock(guard_);
-  std::stable_sort(failed_.begin(), failed_.end(),
-                   [](const FailedCampaign& a, const FailedCampaign& b) { return a.number < b.number; });
-  return failed_;
-}
-
-RunSummary run_campaigns(const fs::path& folder, const RunOptions& options,
-                         const std::function<bool(const fs::path&)>& has_result,
-                         const std::function<std::optional<std::string>(const fs::path&)>& run,
+RunSummary run_campaigns(const fs::path& folder, const RunOptions& options, const char* kind,
                          const Progress& progress) {
-  RunSummary summary;
-  summary.campaigns = count_of_campaigns(folder);
+  const SetOptions set = options_of(folder);
   const FolderLock lock = lock_or_refuse(folder);
-  Failures failures;
-  std::atomic<std::size_t> done{0}, kept{0};
-  in_parallel(summary.campaigns, options.threads, [&](std::size_t i) {
-    const fs::path place = sealed_folder(folder, i + 1);
-    if (has_result(place))
-      ++kept;
-    else if (const std::optional<std::string> fault = run(place))
-      failures.add(i + 1, *fault);
-    if (progress) progress(++done, summary.campaigns);
-  });
-  summary.kept = kept;
-  summary.failed = failures.by_number();
-  return summary;
+  const std::vector<Answer> answers = for_all_campaigns({kind, folder, set, options}, set.campaigns, progress);
+  return {set.campaigns, count_of(answers, "kept"), failed_of(answers)};
+}
+
+nlohmann::ordered_json kept_before() {
+  return {{"kept", true}};
+}
+
+nlohmann::ordered_json done_now(const std::optional<std::string>& fault) {
+  Answer answer = Answer::object();
+  if (fault) answer["faults"] = {*fault};
+  return answer;
 }
 
 unsigned threads_of_each(const RunOptions& options) {
   return std::max(1U, std::thread::hardware_concurrency() / std::max(1U, options.threads));
 }
 
+Performer running(const CampaignWork& work) {
+  return [diagnoser = Diagnoser(work.how), work](std::size_t i) {
+    const fs::path place = sealed_folder(work.folder, i + 1);
+    if (fs::exists(place / "diagnosis" / "diagnosis.json") && fs::exists(place / "run.json")) return kept_before();
+    return done_now(diagnoser.run(place, place / "campaign", place));
+  };
+}
+
 RunSummary run_set(const fs::path& folder, const RunOptions& options, const Progress& progress) {
-  const Diagnoser diagnoser(options);
-  return run_campaigns(
-      folder, options,
-      [](const fs::path& place) {
-        return fs::exists(place / "diagnosis" / "diagnosis.json") && fs::exists(place / "run.json");
-      },
-      [&](const fs::path& place) { return diagnoser.run(place, place / "campaign", place); }, progress);
+  return run_campaigns(folder, options, "run", progress);
 }
 
 }  // namespace secular::blind

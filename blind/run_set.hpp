@@ -2,50 +2,28 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "blind/run_options.hpp"
 #include "blind/sealed_set.hpp"
 #include "input/child_process.hpp"
 
 namespace secular::blind {
-
-struct RunOptions {
-  std::filesystem::path program;  ///< the `secular` that is checked
-  unsigned threads = 1;           ///< campaigns at once
-  double limit_s = 300;           ///< wall time of a campaign
-};
-
-struct FailedCampaign {
-  std::size_t number = 0;
-  std::string reason;  ///< "exit status 2: message"
-};
-
-/// Failures from any thread.
-class Failures {
- public:
-  void add(std::size_t number, std::string reason);
-  std::vector<FailedCampaign> by_number();
-
- private:
-  std::mutex guard_;
-  std::vector<FailedCampaign> failed_;
-};
 
 struct RunSummary {
   std::size_t campaigns = 0, kept = 0;  ///< kept: had a diagnosis before
   std::vector<FailedCampaign> failed;
 };
 
-/// Runs every campaign of a set that has no result yet, several at once. `has_result` and `run` are given the
-/// campaign's folder and may be called by any thread; `run` returns what went wrong, if anything did.
-RunSummary run_campaigns(const std::filesystem::path& folder, const RunOptions& options,
-                         const std::function<bool(const std::filesystem::path&)>& has_result,
-                         const std::function<std::optional<std::string>(const std::filesystem::path&)>& run,
+/// Work of one kind on every campaign of a sealed set.
+RunSummary run_campaigns(const std::filesystem::path& folder, const RunOptions& options, const char* kind,
                          const Progress& progress);
+/// What a campaign says that has a result already, and one that was run: with what went wrong, if anything did.
+nlohmann::ordered_json kept_before();
+nlohmann::ordered_json done_now(const std::optional<std::string>& fault);
 
 /// Threads that each of the campaigns at once may use.
 unsigned threads_of_each(const RunOptions& options);

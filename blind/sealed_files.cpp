@@ -6,24 +6,20 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "blind/integrator.hpp"
 #include "blind/signature.hpp"
 #include "input/input_error.hpp"
+#include "input/interruption.hpp"
+#include "input/whole_folder.hpp"
 
 namespace secular::blind {
 namespace {
 
 namespace fs = std::filesystem;
-
-void put_in_place(const fs::path& partial, const fs::path& folder) {
-  std::error_code error;
-  fs::remove_all(folder, error);
-  if (!error) fs::rename(partial, folder, error);
-  if (error) throw InputError(folder.string(), "", "cannot be written: " + error.message());
-}
 
 // A term as the model file writes it: the mode's equation, its coordinate {v}, the other one {u}, the symbol {c}.
 std::string term_text(const std::string& effect, const std::string& c, const std::string& v, const std::string& u) {
@@ -160,6 +156,7 @@ void make_folder(const fs::path& folder) {
 }
 
 void write_text(const fs::path& path, const std::string& text) {
+  const std::lock_guard lock(Interruption::instance().guard());  // which waits for a whole file
   const fs::path partial = path.string() + ".partial";
   {
     std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
@@ -217,9 +214,8 @@ std::string model_text(const Specimen& s, std::uint64_t nominal_seed) {
 }
 
 void write_sealed(const SealedCampaign& c, std::uint64_t seed, const fs::path& folder) {
-  const fs::path partial = folder.string() + ".partial";
-  std::error_code ignored;
-  fs::remove_all(partial, ignored);
+  WholeFolder whole(folder, WholeFolder::ParentLock::with_caller);
+  const fs::path& partial = whole.path();
   make_folder(partial / "campaign" / "records");
   const Specimen& s = c.specimen;
   write_text(partial / "model.toml", model_text(s, seed + c.plan.number));
@@ -244,14 +240,13 @@ void write_sealed(const SealedCampaign& c, std::uint64_t seed, const fs::path& f
     if (stretch.kind == "free_decay") text += "group = \"free decays\"\n";
   }
   write_text(partial / "campaign" / "campaign.toml", text);
-  put_in_place(partial, folder);
+  whole.finish(true);
 }
 
 void write_extended_campaign(const SealedCampaign& c, std::uint64_t seed, const FurtherDwell& further,
                              const fs::path& campaign, const fs::path& target) {
-  const fs::path partial = target.string() + ".partial";
-  std::error_code ignored;
-  fs::remove_all(partial, ignored);
+  WholeFolder whole(target);
+  const fs::path& partial = whole.path();
   std::error_code error;
   fs::copy(campaign, partial, fs::copy_options::recursive, error);
   if (error)
@@ -268,7 +263,7 @@ void write_extended_campaign(const SealedCampaign& c, std::uint64_t seed, const 
   const std::string file = writer.write(record, drive, dwell_motion(c, dwell, record, further.length));
   write_text(partial / "campaign.toml",
              read_text(partial / "campaign.toml") + dwell_text(file, drive, dwell.group + ", further"));
-  put_in_place(partial, target);
+  whole.finish(true);
 }
 
 namespace {

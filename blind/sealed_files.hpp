@@ -13,7 +13,7 @@ namespace secular::blind {
 std::string model_text(const Specimen& specimen, std::uint64_t nominal_seed);
 
 /// Makes `folder` with model.toml, campaign/ and, where the campaign has numbers, parameters.json: whole or not at
-/// all.
+/// all. The caller holds the lock of its parent.
 void write_sealed(const SealedCampaign& sealed, std::uint64_t seed, const std::filesystem::path& folder);
 
 /// Where a campaign keeps its dwell `index`: "records/0001.csv".

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "blind/campaign_work.hpp"
 #include "blind/sealed_files.hpp"
 #include "blind/sha256.hpp"
 #include "input/folder_lock.hpp"
@@ -27,17 +28,6 @@ fs::path unsealed(const fs::path& folder) {
   return folder / "unsealed";
 }
 
-ordered_json heading(const SetOptions& options) {
-  ordered_json head = {{"schema", 1},
-                       {"seed", options.seed},
-                       {"set", options.size == SetSize::short_set ? "short" : "full"},
-                       {"cases", options.campaigns}};
-  if (options.disturbed) head["disturbed"] = true;
-  if (options.nothing_withheld) head["nothing_withheld"] = true;
-  if (options.programme != Programme::dwells) head["records"] = name_of(options.programme);
-  return head;
-}
-
 [[noreturn]] void refuse_other_set(const fs::path& folder) {
   throw InputError(
       folder.string(), "", "holds another set of campaigns",
@@ -50,10 +40,20 @@ fs::path sealed_folder(const fs::path& folder, std::size_t number) {
   return folder / fmt::format("case_{:04}", number);
 }
 
-SetOptions options_of(const fs::path& folder) {
-  const nlohmann::json head = nlohmann::json::parse(read_text(folder / "set.json"), nullptr, false);
+ordered_json heading(const SetOptions& options) {
+  ordered_json head = {{"schema", 1},
+                       {"seed", options.seed},
+                       {"set", options.size == SetSize::short_set ? "short" : "full"},
+                       {"cases", options.campaigns}};
+  if (options.disturbed) head["disturbed"] = true;
+  if (options.nothing_withheld) head["nothing_withheld"] = true;
+  if (options.programme != Programme::dwells) head["records"] = name_of(options.programme);
+  return head;
+}
+
+SetOptions options_of_heading(const nlohmann::json& head, const fs::path& folder) {
   const auto is_count = [&](const char* key) { return head.contains(key) && head[key].is_number_unsigned(); };
-  if (!fs::exists(folder / "labels.sha256") || !head.is_object() || !is_count("cases") || !is_count("seed"))
+  if (!head.is_object() || !is_count("cases") || !is_count("seed"))
     throw InputError(folder.string(), "", "is not a complete set of campaigns",
                      "a folder for which `secular blind generate` came to its end");
   SetOptions options;
@@ -69,8 +69,10 @@ SetOptions options_of(const fs::path& folder) {
   return options;
 }
 
-std::size_t count_of_campaigns(const fs::path& folder) {
-  return options_of(folder).campaigns;
+SetOptions options_of(const fs::path& folder) {
+  nlohmann::json head = nlohmann::json::parse(read_text(folder / "set.json"), nullptr, false);
+  if (!fs::exists(folder / "labels.sha256")) head = nullptr;
+  return options_of_heading(head, folder);
 }
 
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work) {
@@ -95,6 +97,19 @@ void in_parallel(std::size_t count, unsigned threads, const std::function<void(s
   if (failure) std::rethrow_exception(failure);
 }
 
+Performer generating(const CampaignWork& work) {
+  return [plans = draw_plans(work.set), work](std::size_t i) {
+    const fs::path label = unsealed(work.folder) / fmt::format("{:04}.json", plans[i].number);
+    const fs::path target = sealed_folder(work.folder, plans[i].number);
+    if (fs::exists(label) && fs::exists(target)) return ordered_json::parse(read_text(label));
+    const SealedCampaign sealed = draw_campaign(plans[i], work.set.seed);
+    write_sealed(sealed, work.set.seed, target);
+    ordered_json made = label_of(sealed);
+    write_text(label, made.dump() + "\n");
+    return made;
+  };
+}
+
 void generate_set(const fs::path& folder, const SetOptions& options, const Progress& progress) {
   const ordered_json head = heading(options);
   make_folder(folder);
@@ -115,22 +130,8 @@ void generate_set(const fs::path& folder, const SetOptions& options, const Progr
     write_text(begun, head.dump() + "\n");
   }
   make_folder(unsealed(folder));
-  const std::vector<CampaignPlan> plans = draw_plans(options);
-  std::vector<ordered_json> labels(plans.size());
-  std::atomic<std::size_t> done{0};
-  in_parallel(plans.size(), options.threads, [&](std::size_t i) {
-    const fs::path label = unsealed(folder) / fmt::format("{:04}.json", plans[i].number);
-    const fs::path target = sealed_folder(folder, plans[i].number);
-    if (fs::exists(label) && fs::exists(target)) {
-      labels[i] = ordered_json::parse(read_text(label));
-    } else {
-      const SealedCampaign sealed = draw_campaign(plans[i], options.seed);
-      write_sealed(sealed, options.seed, target);
-      labels[i] = label_of(sealed);
-      write_text(label, labels[i].dump() + "\n");
-    }
-    if (progress) progress(++done, plans.size());
-  });
+  const std::vector<Answer> labels =
+      for_all_campaigns({"generate", folder, options, {{}, options.threads}}, options.campaigns, progress);
   ordered_json all = head;
   all["labels"] = labels;
   const std::string text = all.dump(1) + "\n";

@@ -20,11 +20,12 @@ void generate_set(const std::filesystem::path& folder, const SetOptions& options
 /// The labels of a set. Throws InputError where they are not the ones that were sealed.
 nlohmann::json read_labels(const std::filesystem::path& folder);
 
-/// How many campaigns a sealed set has; its labels stay closed. Throws InputError where the folder holds no sealed
-/// set.
-std::size_t count_of_campaigns(const std::filesystem::path& folder);
+/// What a set is made with, as set.json says it, and back. Throws InputError, which names `folder`, where it is
+/// none.
+nlohmann::ordered_json heading(const SetOptions& options);
+SetOptions options_of_heading(const nlohmann::json& heading, const std::filesystem::path& folder);
 
-/// What a sealed set was made with. Throws InputError where the folder holds none.
+/// What a sealed set was made with; its labels stay closed. Throws InputError where the folder holds none.
 SetOptions options_of(const std::filesystem::path& folder);
 
 /// FOLDER/case_0001

@@ -148,6 +148,26 @@ class StartedChild {
   bool known_ = false;
 };
 
+// Seconds of wall time since it was made; while this process was stopped by the terminal it did not run.
+class Watch {
+ public:
+  double seconds() const {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun_;
+    return passed.count() - (Interruption::stopped_s() - stopped_before_);
+  }
+  bool is_beyond(double limit_s) const {
+    if (seconds() <= limit_s) return false;
+    // Just after a stop, how long it was is known to who holds the guard.
+    std::unique_lock<std::mutex> lock;
+    if (Interruption::is_on()) lock = std::unique_lock(Interruption::instance().guard());
+    return seconds() > limit_s;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+  double stopped_before_ = Interruption::stopped_s();
+};
+
 // Status of waitpid, or nothing: it cannot be waited for. Throws Stopped.
 std::optional<int> wait_for(pid_t child, double limit_s, ProcessEnd& end) {
   int status = 0;
@@ -157,13 +177,12 @@ std::optional<int> wait_for(pid_t child, double limit_s, ProcessEnd& end) {
       if (errno != EINTR) return std::nullopt;
     return status;
   }
-  const auto begun = std::chrono::steady_clock::now();
+  const Watch watch;
   for (auto pause = std::chrono::milliseconds(1);; pause = std::min(2 * pause, std::chrono::milliseconds(50))) {
     const pid_t reaped = waitpid(child, &status, WNOHANG);
     if (reaped == child) return status;
     if (reaped < 0 && errno != EINTR) return std::nullopt;
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() > limit_s && limit_s > 0 &&
-        !end.out_of_time) {
+    if (limit_s > 0 && !end.out_of_time && watch.is_beyond(limit_s)) {
       end.out_of_time = true;
       kill(-child, SIGKILL);
     }
@@ -213,7 +232,7 @@ ProcessEnd run_process(const ChildProcess& process) {
   spawn.duplicate(process.errors_apart ? errors.descriptor() : STDOUT_FILENO, STDERR_FILENO);
   std::vector<std::string> texts = process.arguments, variables = environment_of(process);
   const std::vector<char*> arguments = pointers(texts), environment = pointers(variables);
-  const auto begun = std::chrono::steady_clock::now();
+  const Watch watch;
   std::optional<int> status;
   int why = 0;
   {
@@ -222,7 +241,7 @@ ProcessEnd run_process(const ChildProcess& process) {
     status = wait_for(child.number(), process.limit_s, end);
     why = errno;
   }
-  end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  end.seconds = watch.seconds();
   if (!status) return refused(why);
   if (WIFEXITED(*status) && !end.out_of_time) end.status = WEXITSTATUS(*status);
   end.output = output.contents();

@@ -21,7 +21,7 @@ struct ChildProcess {
   std::vector<std::string> settings = {};  ///< NAME=VALUE that it sees besides
   bool errors_apart = false;               ///< else standard error goes where standard output goes
   std::filesystem::path log = {};          ///< the file that both go to, as they come; empty: ProcessEnd holds them
-  double limit_s = 0;                      ///< wall time after which it is killed; 0: none
+  double limit_s = 0;  ///< wall time after which it is killed, without that for which both were stopped; 0: none
 };
 
 /// How it ended.

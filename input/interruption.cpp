@@ -18,6 +18,7 @@ namespace {
 constexpr const char* parent_variable = "SECULAR_PARENT";
 
 std::atomic<bool> signals_are_handled{false};
+std::atomic<double> all_stopped_s{0};  // written by one thread
 
 void pause_ms(int milliseconds) {
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
@@ -47,7 +48,7 @@ Interruption::Interruption() {
   };
   ::sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGTSTP})
     if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
       ::sigaction(signal, &action, nullptr);
   signals_are_handled = true;
@@ -67,13 +68,22 @@ void Interruption::set_message(std::string text) {
 }
 
 void Interruption::wait() {
-  unsigned char signal = 0;
-  ssize_t count = 0;
-  while ((count = ::read(pipe_[0], &signal, 1)) < 0 && errno == EINTR) {
+  for (;;) {
+    unsigned char signal = 0;
+    const ssize_t count = ::read(pipe_[0], &signal, 1);
+    if (count < 0 && errno == EINTR) continue;
+    if (count != 1) return;
+    // What is being put in place is; from here on nothing is, no program is started, and who waits for one does not
+    // learn that it ended.
+    const std::lock_guard lock(guard_);
+    if (signal == SIGTSTP)
+      stop();
+    else
+      end(signal);
   }
-  if (count != 1) return;
-  // Held from here on: nothing is put in place any more, and who waits for a program does not learn that it ended.
-  const std::lock_guard lock(guard_);
+}
+
+void Interruption::end(int signal) {
   for (const pid_t child : children_) ::kill(-child, SIGTERM);
   undo_all();
   end_children();
@@ -87,6 +97,16 @@ void Interruption::wait() {
   ::sigaction(signal, &usual, nullptr);
   ::kill(::getpid(), signal);
   for (;;) ::pause();
+}
+
+void Interruption::stop() {
+  // Those that are secular themselves stop what they have started likewise.
+  for (const pid_t child : children_) ::kill(-child, SIGTSTP);
+  const auto begun = std::chrono::steady_clock::now();
+  ::raise(SIGSTOP);  // to this thread: it does not go on before SIGCONT
+  const double stopped = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  all_stopped_s = all_stopped_s + stopped;
+  for (const pid_t child : children_) ::kill(-child, SIGCONT);
 }
 
 void Interruption::undo_all() {
@@ -109,6 +129,10 @@ void Interruption::end_with_parent() {
   if (expected != std::to_string(::getppid())) return;
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (expected != std::to_string(::getppid())) ::raise(SIGTERM);  // it ended in between
+}
+
+double Interruption::stopped_s() {
+  return all_stopped_s;
 }
 
 std::string Interruption::setting_for_children() {

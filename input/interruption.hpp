@@ -11,8 +11,10 @@
 namespace secular {
 
 /// What this process does when it is told to end (SIGINT, SIGTERM, SIGHUP): programs that it has started are told
-/// to end as well, what is being built is removed, and the process ends by the same signal. A handler may do none
-/// of this, so that it wakes a thread that does. A signal that was ignored or handled before stays so.
+/// to end as well, what is being built is removed, and the process ends by the same signal. When it is told to stop
+/// (SIGTSTP, Ctrl-Z), these programs stop and go on with it: they have groups of their own, which the terminal does
+/// not reach. A handler may do none of this, so that it wakes a thread that does. A signal that was ignored or
+/// handled before stays so.
 class Interruption {
  public:
   /// From the first call on, signals are handled.
@@ -41,9 +43,14 @@ class Interruption {
   static void end_with_parent();
   static std::string setting_for_children();
 
+  /// Wall time for which this process has been stopped by SIGTSTP so far, s.
+  static double stopped_s();
+
  private:
   Interruption();
   void wait();
+  void end(int signal);
+  void stop();
   void undo_all();
   void end_children() const;
 

@@ -63,6 +63,13 @@ struct Figure {
   int panel_height_px = 0;  ///< of one panel's plot area; 0: chosen from the number of panels
 };
 
+/// A figure of a report.
+struct NamedFigure {
+  std::string name;  ///< of its file, without .svg
+  Figure figure;
+  std::string caption;
+};
+
 enum class FigureUse {
   inline_html,  ///< colours follow the page (light, dark, print); no background
   standalone    ///< a file of its own: dark text on white

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
@@ -42,7 +45,25 @@ struct BlindArguments {
   std::vector<std::string> only;
   bool force = false, again = false;
   const CLI::App* command = nullptr;
+  bool json = false;
+  std::string told;  ///< of the last step, as JSON
 };
+
+// For people; with --json nothing of it is printed.
+template <class... Values>
+void print_text(const BlindArguments& options, fmt::format_string<Values...> format, Values&&... values) {
+  if (!options.json) fmt::print(format, std::forward<Values>(values)...);
+}
+
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+// A file that has just been written is what --json prints.
+std::string written_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 // Before any work: pages of another run are replaced with --force alone.
 void check_page(const BlindArguments& options, std::initializer_list<const char*> names) {
@@ -69,7 +90,7 @@ void add_force(CLI::App* command, const std::shared_ptr<BlindArguments>& options
   command->add_flag("--force", options->force, "replace pages that stand there");
 }
 
-void generate(const BlindArguments& options) {
+void generate(BlindArguments& options) {
   blind::SetOptions set;
   set.size = options.set == "full" ? blind::SetSize::full_set : blind::SetSize::short_set;
   set.campaigns = options.campaigns > 0 ? options.campaigns : options.set == "full" ? 1000 : 60;
@@ -80,63 +101,80 @@ void generate(const BlindArguments& options) {
   set.programme = blind::programme_named(options.records);
   ProgressLine line("campaigns made");
   blind::generate_set(options.folder, set, [&line](std::size_t done, std::size_t total) { line(done, total); });
-  fmt::print("{} campaigns in {}, labels sealed\n", set.campaigns, options.folder);
+  print_text(options, "{} campaigns in {}, labels sealed\n", set.campaigns, options.folder);
+  options.told = dumped({{"campaigns", set.campaigns}, {"folder", options.folder}});
 }
 
 blind::RunOptions run_options(const BlindArguments& options) {
   blind::RunOptions how;
-  how.program = options.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
-                                        : std::filesystem::absolute(options.program);
+  // `secular-mpi` lies beside the program that it runs.
+  how.program = options.program.empty() ? fs::read_symlink("/proc/self/exe").replace_filename("secular")
+                                        : fs::absolute(options.program);
   how.threads = options.threads;
   how.limit_s = options.limit_s;
   return how;
 }
 
-void print_failed(const std::vector<blind::FailedCampaign>& campaigns) {
+void print_failed(const BlindArguments& options, const std::vector<blind::FailedCampaign>& campaigns) {
   for (const blind::FailedCampaign& failed : campaigns)
-    fmt::print("  campaign {:04}: {}\n", failed.number, failed.reason);
+    print_text(options, "  campaign {:04}: {}\n", failed.number, failed.reason);
 }
 
-void follow(const BlindArguments& options) {
+nlohmann::ordered_json failed_json(const std::vector<blind::FailedCampaign>& campaigns) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const blind::FailedCampaign& failed : campaigns)
+    list.push_back({{"campaign", failed.number}, {"reason", failed.reason}});
+  return list;
+}
+
+void follow(BlindArguments& options) {
   if (blind::options_of(options.folder).programme != blind::Programme::dwells) {
-    fmt::print("nothing to follow: the campaigns hold no dwells, and no other record is drawn anew\n");
+    print_text(options, "nothing to follow: the campaigns hold no dwells, and no other record is drawn anew\n");
+    options.told = dumped({{"open", 0}, {"proposed", 0}, {"failed", nlohmann::ordered_json::array()}});
     return;
   }
   ProgressLine line("proposals followed");
   const blind::FollowUpSummary summary = blind::follow_up_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
-  fmt::print("{} verdicts left a set, {} of them with a dwell proposed; {} diagnoses failed\n", summary.sets,
-             summary.proposed, summary.failed.size());
-  print_failed(summary.failed);
+  print_text(options, "{} verdicts left a set, {} of them with a dwell proposed; {} diagnoses failed\n",
+             summary.sets, summary.proposed, summary.failed.size());
+  print_failed(options, summary.failed);
+  options.told =
+      dumped({{"open", summary.sets}, {"proposed", summary.proposed}, {"failed", failed_json(summary.failed)}});
 }
 
 using RunOfSet = blind::RunSummary (*)(const std::filesystem::path&, const blind::RunOptions&,
                                        const blind::Progress&);
 
 // Every campaign through one command. `done`: what is done to them, in the past tense.
-void run_all(const BlindArguments& options, RunOfSet run_of_set, const std::string& done) {
+void run_all(BlindArguments& options, RunOfSet run_of_set, const std::string& done) {
   ProgressLine line("campaigns " + done);
   const blind::RunSummary summary = run_of_set(options.folder, run_options(options),
                                                [&line](std::size_t made, std::size_t total) { line(made, total); });
-  fmt::print("{} campaigns, {} {} before, {} failed\n", summary.campaigns, summary.kept, done,
+  print_text(options, "{} campaigns, {} {} before, {} failed\n", summary.campaigns, summary.kept, done,
              summary.failed.size());
-  print_failed(summary.failed);
+  print_failed(options, summary.failed);
+  options.told =
+      dumped({{"campaigns", summary.campaigns}, {"kept", summary.kept}, {"failed", failed_json(summary.failed)}});
 }
 
-void run(const BlindArguments& options) {
+void run(BlindArguments& options) {
   run_all(options, blind::run_set, "diagnosed");
 }
 
-void leave_out(const BlindArguments& options) {
+void leave_out(BlindArguments& options) {
   ProgressLine line("effects left out");
   const blind::LeaveOutSummary summary = blind::leave_out_of_set(
       options.folder, run_options(options), [&line](std::size_t done, std::size_t total) { line(done, total); });
-  fmt::print("{} campaigns without their effect in the catalogue, {} diagnosed before, {} failed\n",
+  print_text(options, "{} campaigns without their effect in the catalogue, {} diagnosed before, {} failed\n",
              summary.campaigns, summary.kept, summary.failed.size());
-  print_failed(summary.failed);
+  print_failed(options, summary.failed);
+  options.told =
+      dumped({{"campaigns", summary.campaigns}, {"kept", summary.kept}, {"failed", failed_json(summary.failed)}});
 }
 
-void print_figures(const std::vector<blind::Figure>& figures, const char* trials) {
+void print_figures(const BlindArguments& options, const std::vector<blind::Figure>& figures, const char* trials) {
+  if (options.json) return;
   for (const blind::Figure& f : figures) {
     if (f.trials == 0) continue;
     fmt::print("{:72} {:8.3f}  ({} {})", f.name, f.value, f.trials, trials);
@@ -145,24 +183,26 @@ void print_figures(const std::vector<blind::Figure>& figures, const char* trials
   }
 }
 
-void score(const BlindArguments& options) {
+void score(BlindArguments& options) {
   const blind::Score score = blind::score_set(options.folder);
   blind::write_score(score, blind::name_of_set(options.folder), options.page);
-  print_figures(score.figures, "campaigns");
-  fmt::print("{} of {} campaigns went wrong, {} without a diagnosis; see {}/score.md\n", score.wrong.size(),
-             score.campaigns, score.failed, options.page);
+  print_figures(options, score.figures, "campaigns");
+  print_text(options, "{} of {} campaigns went wrong, {} without a diagnosis; see {}/score.md\n",
+             score.wrong.size(), score.campaigns, score.failed, options.page);
+  options.told = written_file(fs::path(options.page) / "score.json");
 }
 
-void estimates(const BlindArguments& options) {
+void estimates(BlindArguments& options) {
   run_all(options, blind::identify_set, "identified");
   const blind::EstimateScore score = blind::score_estimates(options.folder);
   blind::write_estimate_score(score, blind::name_of_set(options.folder), options.page);
-  print_figures(score.figures, "numbers");
-  fmt::print("{} unmarked numbers are off by more than 4 sd; see {}/estimates.md\n", score.far_off.size(),
+  print_figures(options, score.figures, "numbers");
+  print_text(options, "{} unmarked numbers are off by more than 4 sd; see {}/estimates.md\n", score.far_off.size(),
              options.page);
+  options.told = written_file(fs::path(options.page) / "estimates.json");
 }
 
-void measured(const BlindArguments& options) {
+void measured(BlindArguments& options) {
   const blind::MeasuredList list = blind::only_sets(blind::read_measured_list(options.list), options.only);
   ProgressLine line("sets diagnosed");
   blind::RunOptions how = run_options(options);
@@ -175,8 +215,9 @@ void measured(const BlindArguments& options) {
   blind::write_measured(page, options.page);
   const auto met = std::count_if(page.at("sets").begin(), page.at("sets").end(),
                                  [](const nlohmann::ordered_json& set) { return set.at("met").get<bool>(); });
-  fmt::print("{} sets, {} diagnosed before; {} meet their aim; see {}/measured.md\n", list.sets.size(), run.kept,
-             met, options.page);
+  print_text(options, "{} sets, {} diagnosed before; {} meet their aim; see {}/measured.md\n", list.sets.size(),
+             run.kept, met, options.page);
+  options.told = written_file(fs::path(options.page) / "measured.json");
 }
 
 void add_set_options(CLI::App* command, const std::shared_ptr<BlindArguments>& options) {
@@ -220,10 +261,12 @@ void add_blind_command(CLI::App* blind, Action& chosen) {
   const auto add = [&](const char* name, const char* what, auto... steps) {
     auto options = std::make_shared<BlindArguments>();
     CLI::App* command = blind->add_subcommand(name, what);
+    command->add_flag("--json", options->json, "what came of it as JSON; of a score or a page its JSON file");
     command->callback([options, &chosen, steps...] {
       chosen = [options, steps...] {
         Interruption::instance().set_message("what is done is kept; the same command goes on with the rest");
         (steps(*options), ...);
+        if (options->json) fmt::print("{}", options->told);
         return 0;
       };
     });

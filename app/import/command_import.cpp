@@ -2,76 +2,22 @@
 #include <fmt/ranges.h>
 
 #include <CLI/App.hpp>
-#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
+#include "jobs/import/import_run.hpp"
 #include "measure/data/campaign.hpp"
-#include "measure/data/import_files.hpp"
-#include "measure/data/import_tables.hpp"
 #include "measure/data/names.hpp"
 
 namespace secular::app {
 namespace {
 
-struct RecordSummary {
-  std::size_t samples = 0;  ///< of a table: rows
-  double start_s = 0, duration_s = 0;
-  double lowest_hz = 0, highest_hz = 0;  ///< of a table
-};
-
-RecordSummary summary_of(const std::vector<LineRow>& rows) {
-  RecordSummary summary{rows.size(), 0, 0, rows.front().frequency_hz, rows.front().frequency_hz};
-  for (const LineRow& row : rows) {
-    summary.lowest_hz = std::min(summary.lowest_hz, row.frequency_hz);
-    summary.highest_hz = std::max(summary.highest_hz, row.frequency_hz);
-  }
-  return summary;
-}
-
-void print_json(const ImportedCampaign& imported, const std::vector<RecordSummary>& records,
-                const std::string& folder) {
-  const Campaign& campaign = imported.campaign;
-  nlohmann::ordered_json summary = {{"campaign", folder}, {"name", campaign.name}};
-  if (campaign.sample_rate_hz > 0) summary["sample_rate_hz"] = campaign.sample_rate_hz;
-  summary["channels"] = nlohmann::ordered_json::array();
-  for (const Channel& channel : campaign.channels)
-    summary["channels"].push_back({{"name", channel.name},
-                                   {"role", to_string(channel.role)},
-                                   {"quantity", to_string(channel.quantity)},
-                                   {"unit", channel.unit}});
-  summary["records"] = nlohmann::ordered_json::array();
-  for (std::size_t r = 0; r < campaign.records.size(); ++r) {
-    if (campaign.records[r].kind == RecordKind::lines) {
-      summary["records"].push_back({{"file", campaign.records[r].file},
-                                    {"kind", "lines"},
-                                    {"rows", records[r].samples},
-                                    {"lowest_hz", records[r].lowest_hz},
-                                    {"highest_hz", records[r].highest_hz}});
-      continue;
-    }
-    summary["records"].push_back({{"file", campaign.records[r].file},
-                                  {"kind", to_string(campaign.records[r].kind)},
-                                  {"from", imported.sources[r].string()},
-                                  {"samples", records[r].samples},
-                                  {"start_s", records[r].start_s},
-                                  {"duration_s", records[r].duration_s}});
-  }
-  summary["left_out"] = imported.left_out;
-  summary["warnings"] = imported.warnings;
-  summary["converted"] = nlohmann::ordered_json::array();
-  for (const ConvertedChannel& channel : imported.converted)
-    summary["converted"].push_back({{"name", channel.name}, {"from", channel.from_unit}, {"to", channel.to_unit}});
-  fmt::print("{}\n", summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-}
-
-void print_text(const ImportedCampaign& imported, const std::vector<RecordSummary>& records,
-                const std::string& folder) {
+void print_text(const ImportRun& run, const std::string& folder) {
+  const auto& [imported, records] = run;
   const Campaign& campaign = imported.campaign;
   const bool tables = campaign.sample_rate_hz == 0;
   fmt::print("{}: {} channel{}, {} {}{}{}\n", folder, campaign.channels.size(),
@@ -108,21 +54,6 @@ void add_table_options(CLI::App& command, TableOptions& table) {
                    "lines: responses are over the excitation's amplitude (frequency response functions)");
   command.add_option("--frequency-unit", table.frequency_unit,
                      "lines: Hz (default), kHz, rad/s or 1/min, where the file does not say it");
-}
-
-ImportedCampaign import_into(CampaignWriter& writer, const ImportOptions& options,
-                             std::vector<RecordSummary>& records) {
-  if (parse_record_kind(options.kind) == RecordKind::lines)
-    return import_tables(options,
-                         [&](const Campaign& campaign, const RecordEntry& entry, const std::vector<LineRow>& rows) {
-                           writer.write(campaign, entry, rows);
-                           records.push_back(summary_of(rows));
-                         });
-  return import_files(options, [&](const Campaign& campaign, const RecordEntry& entry, Record&& record) {
-    writer.write(campaign, entry, record);
-    records.push_back(
-        {record.samples(), record.start_s, static_cast<double>(record.samples()) / record.sample_rate_hz, 0, 0});
-  });
 }
 
 }  // namespace
@@ -191,15 +122,12 @@ void add_import_command(CLI::App* command, Action& chosen) {
       std::vector<CommandInput> inputs;
       for (const std::string& file : options->files) inputs.push_back({"the file", file, false});
       options->output.check(inputs);
-      CampaignWriter writer(options->output.path(), options->output.replaces());
-      std::vector<RecordSummary> records;
-      const ImportedCampaign imported = import_into(writer, options->import, records);
-      writer.finish(imported.campaign);
-      print_warnings(imported.warnings);
+      const ImportRun run = run_import(options->import, options->output.path(), options->output.replaces());
+      print_warnings(run.imported.warnings);
       if (options->json)
-        print_json(imported, records, options->output.path());
+        fmt::print("{}", import_json(run, options->output.path()));
       else
-        print_text(imported, records, options->output.path());
+        print_text(run, options->output.path());
       return 0;
     };
   });

@@ -1,14 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "app/modal/modal_json.hpp"
-#include "app/modal/modal_report.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
@@ -16,7 +12,9 @@
 #include "app/shared/progress_line.hpp"
 #include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
-#include "jobs/shared/record_selection.hpp"
+#include "jobs/modal/modal_json.hpp"
+#include "jobs/modal/modal_report.hpp"
+#include "jobs/modal/modal_run.hpp"
 #include "measure/modal/modal_survey.hpp"
 #include "measure/modal/pole.hpp"
 #include "numerics/hertz.hpp"
@@ -42,21 +40,8 @@ void parse_driving_points(ModalArguments& options) {
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
       throw InputError("--driving-point " + text, "", "is not GROUP=CHANNEL",
                        "for example --driving-point uplx-=-uprx+");
-    const bool against = text[equals + 1] == '-';
-    options.survey.driving_points[text.substr(0, equals)] = {text.substr(equals + (against ? 2 : 1)),
-                                                             against ? -1 : 1};
+    options.survey.driving_points[text.substr(0, equals)] = driving_point_of(text.substr(equals + 1));
   }
-}
-
-void check(const ModalArguments& options) {
-  const ModalSurveyOptions& survey = options.survey;
-  const auto not_negative = [](double value, const char* name) {
-    if (!(value >= 0) || !std::isfinite(value)) throw InputError(name, "", "is not a positive number");
-  };
-  not_negative(survey.window_s, "--window");
-  not_negative(survey.fit_below, "--fit-below");
-  not_negative(survey.force_window_s, "--force-window");
-  not_negative(options.response_decay, "--exponential-window");
 }
 
 void print_amplitude(const AmplitudeDependence& a, const std::string& unit) {
@@ -112,19 +97,11 @@ int run(ModalArguments& options, const CLI::App& command) {
   options.output.check({read});
   options.basis.check({read, {"the folder of results", options.output.path(), true}}, options.output.replaces());
   const Campaign campaign = read_campaign(options.campaign);
-  require_match(campaign, window);
-  require_sampled(window, campaign.sample_rate_hz);
-  options.survey.records = window.records;
-  options.survey.span = options.selection.span();
-  const Band band = window.band.value_or(Band{});
-  options.survey.lowest_hz = band.low_hz;
-  options.survey.highest_hz = band.high_hz;
   parse_driving_points(options);
-  check(options);
   if (command.count("--exponential-window")) options.survey.response_decay = options.response_decay;
   ProgressLine line("parts of the survey (about)");
   options.survey.progress = [&line](std::size_t done, std::size_t total) { line(done, total); };
-  const ModalSurvey survey = modal_survey(options.campaign, options.survey);
+  const ModalSurvey survey = run_modal(campaign, window, options.survey);
   const std::string json = modal_json(survey);
   const std::string html = modal_report(survey, command_line_of(command));
   if (!options.basis.path().empty()) options.basis.write(modal_basis_text(survey));

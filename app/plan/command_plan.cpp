@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "app/plan/planning.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
@@ -16,7 +15,7 @@
 #include "app/shared/progress_line.hpp"
 #include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
-#include "jobs/shared/record_selection.hpp"
+#include "jobs/plan/planning.hpp"
 #include "report/number_format.hpp"
 
 namespace secular::app {
@@ -141,6 +140,7 @@ int run(PlanArguments& options, const CLI::App& command) {
     if (stage != what) line.emplace(stage = what);
     (*line)(done, total);
   };
+  asked.note = print_note;
   const PlanResult plan = plan_test(asked);
   const std::string json = plan_json(asked, plan);
   const std::string html = plan_report(asked, plan, command_line_of(command));

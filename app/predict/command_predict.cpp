@@ -11,9 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include "app/predict/prediction.hpp"
-#include "app/predict/prediction_files.hpp"
-#include "app/predict/prediction_report.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
@@ -21,7 +18,9 @@
 #include "app/shared/progress_line.hpp"
 #include "app/shared/selection_options.hpp"
 #include "input/input_error.hpp"
-#include "jobs/shared/record_selection.hpp"
+#include "jobs/predict/prediction.hpp"
+#include "jobs/predict/prediction_files.hpp"
+#include "jobs/predict/prediction_report.hpp"
 #include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
 
@@ -69,7 +68,7 @@ std::string located(double value, double axis, const std::string& unit) {
   return report::format_number(value / axis, 6) + (unit.empty() ? "" : " " + unit);
 }
 
-void print_summary(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
+void print_summary(const Prediction& prediction, const std::vector<report::NamedFigure>& figures,
                    const std::string& folder) {
   const report::PlainNumbers plain(prints_for_programs());
   fmt::print("model {}, case {}\n", prediction.model->name, prediction.resonance->name);
@@ -112,16 +111,16 @@ void print_summary(const Prediction& prediction, const std::vector<PredictionFig
                  prediction.against->name, located(at.second, prediction.against_axis, prediction.against_unit));
   }
   fmt::print("written: {0}/prediction.json, {0}/prediction.csv, {0}/report.html", folder);
-  for (const PredictionFigure& figure : figures) fmt::print(", {}/{}.svg", folder, figure.name);
+  for (const report::NamedFigure& figure : figures) fmt::print(", {}/{}.svg", folder, figure.name);
   fmt::print("\n");
 }
 
-void write_files(const Prediction& prediction, const std::vector<PredictionFigure>& figures,
+void write_files(const Prediction& prediction, const std::vector<report::NamedFigure>& figures,
                  const OutputFolder& output, const std::string& json, const std::string& line) {
   ResultFiles files = {{"prediction.json", json},
                        {"prediction.csv", prediction_csv(prediction)},
                        {"report.html", prediction_report(prediction, figures, line)}};
-  for (const PredictionFigure& figure : figures)
+  for (const report::NamedFigure& figure : figures)
     files.emplace_back(figure.name + ".svg",
                        report::render_figure(figure.figure, "figure", report::FigureUse::standalone).svg);
   output.write(files);
@@ -175,11 +174,12 @@ void add_predict_command(CLI::App* command, Action& chosen) {
       options->output.check({{"the model", options->request.model, false},
                              {"the file of parameters", options->request.parameters, false},
                              {"the campaign", options->request.measured, true}});
+      options->request.note = print_note;
       ProgressLine line("dwells");
       const Prediction prediction =
           predict(options->request, [&line](std::size_t done, std::size_t total) { line(done, total); });
       const std::string json = prediction_json(prediction);
-      const std::vector<PredictionFigure> figures = prediction_figures(prediction);
+      const std::vector<report::NamedFigure> figures = prediction_figures(prediction);
       write_files(prediction, figures, options->output, json, command_line_of(*command));
       print_warnings(prediction.warnings);
       if (options->json)

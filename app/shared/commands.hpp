@@ -18,7 +18,7 @@ using AddCommand = void(CLI::App* command, Action& chosen);
 AddCommand add_derive_command, add_evaluate_command, add_generate_command, add_verify_command, add_simulate_command,
     add_identify_command, add_predict_command, add_import_command, add_inspect_command, add_modal_command,
     add_diagnose_command, add_spectrum_command, add_procedure_command, add_plan_command, add_blind_command,
-    add_help_command;
+    add_to_matlab_command, add_help_command;
 
 struct Command {
   const char* name;
@@ -48,6 +48,7 @@ inline constexpr Command all_commands[] = {
      add_spectrum_command},
     {"procedure", "The source's own estimation procedures, beside truth and printed tables", add_procedure_command},
     {"plan", "Levels and frequencies that best determine chosen parameters", add_plan_command},
+    {"to-matlab", "MAT files beside the JSON files of a folder of results", add_to_matlab_command},
     {"blind", "Check of the diagnosis on campaigns whose cause it cannot know", add_blind_command},
     {"help", "What a command does and takes; the page of the manual; completion of command lines",
      add_help_command},

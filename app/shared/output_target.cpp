@@ -9,8 +9,9 @@
 #include <system_error>
 
 #include "input/input_error.hpp"
+#include "input/whole_folder.hpp"
+#include "jobs/matlab/mat_text.hpp"
 #include "measure/data/campaign_target.hpp"
-#include "measure/data/whole_folder.hpp"
 #include "report/whole_file.hpp"
 
 namespace secular::app {
@@ -71,13 +72,18 @@ void OutputFolder::add_to(CLI::App& command, const std::string& description, boo
 
 bool OutputFolder::is_own(const fs::directory_entry& entry) const {
   const std::string name = entry.path().filename().string();
-  const auto fits = [&](const std::string& pattern) { return matches(name, pattern); };
-  if (entry.is_symlink() || !entry.is_regular_file() || std::none_of(patterns_.begin(), patterns_.end(), fits))
-    return false;
+  const auto fits_any = [&](const std::string& file) {
+    return std::any_of(patterns_.begin(), patterns_.end(),
+                       [&](const std::string& pattern) { return matches(file, pattern); });
+  };
+  if (entry.is_symlink() || !entry.is_regular_file()) return false;
   std::ifstream stream(entry.path());
   std::string line;
   std::getline(stream, line);
-  return line.find(mark_) != std::string::npos;
+  // `secular to-matlab` puts a MAT file beside a JSON file.
+  if (entry.path().extension() == ".mat" && fits_any(entry.path().stem().string() + ".json"))
+    return line.starts_with(mat_heading);
+  return fits_any(name) && line.find(mark_) != std::string::npos;
 }
 
 void OutputFolder::check(const std::vector<CommandInput>& inputs) const {

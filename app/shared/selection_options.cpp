@@ -56,15 +56,4 @@ Window SelectionOptions::window() const {
   return window;
 }
 
-TimeSpan SelectionOptions::span() const {
-  const TimeSpan all;
-  return {from_s_.value_or(all.from_s), to_s_.value_or(all.to_s)};
-}
-
-void SelectionOptions::require_any_record(const std::string& file) const {
-  if (records_)
-    throw InputError("--records " + *records_, "", file + " is a single record",
-                     "--records chooses among those of a campaign folder");
-}
-
 }  // namespace secular::app

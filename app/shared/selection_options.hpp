@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "measure/data/time_span.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular::app {
@@ -22,10 +21,6 @@ class SelectionOptions {
 
   /// What they say, as far as that makes sense by itself. Throws InputError.
   Window window() const;
-  TimeSpan span() const;
-
-  /// Throws InputError where records are chosen of what is a single file.
-  void require_any_record(const std::string& file) const;
 
  private:
   std::optional<std::string> band_, records_;

@@ -1,9 +1,13 @@
 #include "jobs/identify/identification.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
+#include "estimator/identification/gain_allowance.hpp"
 #include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
@@ -14,6 +18,7 @@
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "motion/correction/free_phases.hpp"
+#include "motion/correction/harmonic_excess.hpp"
 
 namespace secular {
 namespace {
@@ -131,8 +136,35 @@ EstimateOptions options_of(const IdentificationRequest& request) {
 
 }  // namespace
 
+namespace {
+
+/// A sensor with a cubic part makes a third harmonic and three times as much at the fundamental.
+double at_fundamental(const HarmonicExcess& excess) {
+  return excess.multiple == 3 ? 3 * excess.share : excess.share;
+}
+
+/// Harmonics that neither model nor excitation makes may be those of a sensor whose amplitudes are wrong, too.
+void judge_harmonics(Identification& id, int derivatives, unsigned threads) {
+  double square = 0;
+  for (const HarmonicExcess& excess : harmonic_excess(id.measured, id.estimate, derivatives, threads)) {
+    const RegressorBlock& block = excess.resonance->blocks[excess.block];
+    square += std::pow(at_fundamental(excess), 2);
+    id.estimate.warnings.push_back(fmt::format(
+        "case {}: {} is {:.2g} % of the motion as channels show it; the model, under all that the excitation holds "
+        "there, makes {:.2g} %. Where a sensor makes the rest, its amplitudes are wrong by up to {:.2g} %: numbers "
+        "whose unit holds the coordinate are allowed that. Where the structure makes it (another mode, a law that "
+        "the model lacks), they are as good as without; `secular diagnose` looks for it",
+        excess.resonance->name, block.name, 100 * excess.measured, 100 * excess.expected,
+        100 * at_fundamental(excess)));
+  }
+  if (square > 0) allow_for_gain(id.estimate, *id.model, std::sqrt(square));
+}
+
+}  // namespace
+
 void estimate_observed(const IdentificationRequest& request, Identification& id) {
-  id.coordinate_unit = modal_projection(id.campaign, *id.model).unit;
+  const ModalProjection projection = modal_projection(id.campaign, *id.model);
+  id.coordinate_unit = projection.unit;
   id.excitation_units.clear();
   if (std::any_of(id.measured.begin(), id.measured.end(),
                   [](const ObservationSet& s) { return s.resonance->excited; }))
@@ -150,6 +182,7 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
     id.replayed = std::move(found.of.replayed);
     id.lateness = std::move(found.lateness);
     id.freed = std::move(found.freed);
+    judge_harmonics(id, projection.derivatives, request.threads);
   } catch (const NothingObserved& nothing) {  // here it is the campaign itself
     throw InputError(id.campaign.folder.string(), "", nothing.what());
   }

@@ -90,6 +90,19 @@ void require_match(const Campaign& campaign, const Window& window) {
                    "its records are " + short_list(files));
 }
 
+TimeSpan span_of(const Window& window) {
+  TimeSpan span;
+  if (window.from_s != Window{}.from_s) span.from_s = window.from_s;
+  if (window.to_s != Window{}.to_s) span.to_s = window.to_s;
+  return span;
+}
+
+void require_any_record(const std::string& file, const Window& window) {
+  if (window.records != Window{}.records)
+    throw InputError("--records " + window.records, "", file + " is a single record",
+                     "--records chooses among those of a campaign folder");
+}
+
 void require_sampled(const Window& window, double sample_rate_hz) {
   if (window.band && sample_rate_hz > 0 && !(window.band->high_hz < 0.5 * sample_rate_hz))
     throw InputError(

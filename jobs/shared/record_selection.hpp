@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/data/time_span.hpp"
 #include "measure/data/watched_reader.hpp"
 #include "measure/disturbances/disturbance.hpp"
 #include "measure/observe/observation_set.hpp"
@@ -16,6 +17,12 @@ std::set<std::size_t> records_within(const Campaign& campaign, const Window& win
 
 /// Throws InputError where no record's file matches, with those that there are.
 void require_match(const Campaign& campaign, const Window& window);
+
+/// From when to when.
+TimeSpan span_of(const Window& window);
+
+/// Throws InputError where records are chosen of what is a single file.
+void require_any_record(const std::string& file, const Window& window);
 
 /// Throws InputError for a band that goes beyond half the sample rate (0: there is none).
 void require_sampled(const Window& window, double sample_rate_hz);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -20,9 +21,23 @@
 #include "measure/thresholds.hpp"
 
 namespace secular {
+namespace {
+
+RecordData held_data(const RecordEntry& entry) {
+  std::vector<std::vector<double>> columns = measured_columns(*entry.held, 0, entry.held->samples());
+  RecordData record;
+  record.file = entry.file;
+  record.stamps_s = std::move(columns.front());
+  record.channels.assign(std::make_move_iterator(columns.begin() + 1), std::make_move_iterator(columns.end()));
+  record.total = record.stamps_s.size();
+  return record;
+}
+
+}  // namespace
 
 RecordData read_record_data(const Campaign& campaign, const RecordEntry& entry, MissingNumbers missing,
                             std::size_t limit) {
+  if (entry.held) return held_data(entry);
   std::vector<std::string> names;  // of t and of every channel
   for (std::size_t c = 0; c <= campaign.channels.size(); ++c) {
     const std::string channel = c == 0 ? "t" : campaign.channels[c - 1].name;

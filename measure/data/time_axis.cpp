@@ -87,9 +87,9 @@ double resolution(const std::vector<double>& stamps) {
 bool steps_of_two_sizes(const std::vector<double>& stamps, double same) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < stamps.size(); ++i) steps.push_back(stamps[i] - stamps[i - 1]);
-  const auto [least, largest] = std::minmax_element(steps.begin(), steps.end());
+  const auto ends = std::minmax_element(steps.begin(), steps.end());
   return std::all_of(steps.begin(), steps.end(),
-                     [&](double step) { return step - *least <= same || *largest - step <= same; });
+                     [&](double step) { return step - *ends.first <= same || *ends.second - step <= same; });
 }
 
 double scatter(const std::vector<double>& stamps, const StampLine& line, double largest) {

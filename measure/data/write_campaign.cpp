@@ -10,12 +10,13 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "input/whole_folder.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
 #include "measure/data/held_campaign.hpp"
 #include "measure/data/names.hpp"
-#include "measure/data/whole_folder.hpp"
+#include "measure/data/record_data.hpp"
 #include "measure/data/written_table.hpp"
 #include "measure/formats/channel_name.hpp"
 #include "measure/formats/number_table.hpp"
@@ -53,24 +54,6 @@ void check_record(const Campaign& campaign, const RecordEntry& entry, const Reco
   }
 }
 
-// Times and channels of these rows as the record's own file has them: without the rows that it lost, and NaN where
-// a channel holds no number. What was put in for them is not stored: it was not measured.
-std::vector<std::vector<double>> measured_columns(const Record& record, std::size_t first, std::size_t count) {
-  const auto is_among = [](const std::vector<std::size_t>& rising, std::size_t row) {
-    return std::binary_search(rising.begin(), rising.end(), row);
-  };
-  std::vector<std::vector<double>> columns(record.channels.size() + 1);
-  for (std::size_t row = first; row < first + count; ++row) {
-    if (is_among(record.lost, row)) continue;
-    columns[0].push_back(record.start_s + static_cast<double>(row) / record.sample_rate_hz);
-    for (std::size_t c = 0; c < record.channels.size(); ++c) {
-      const bool is_measured = c >= record.no_numbers.size() || !is_among(record.no_numbers[c], row);
-      columns[c + 1].push_back(is_measured ? record.channels[c][row] : std::numeric_limits<double>::quiet_NaN());
-    }
-  }
-  return columns;
-}
-
 // What has just been written must be what read_campaign accepts: units, names, modal basis, UTF-8.
 void check_readable(const WholeFolder& building) {
   try {
@@ -91,6 +74,22 @@ void check_campaign_target(const fs::path& folder, bool replace) {
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> measured_columns(const Record& record, std::size_t first, std::size_t count) {
+  const auto is_among = [](const std::vector<std::size_t>& rising, std::size_t row) {
+    return std::binary_search(rising.begin(), rising.end(), row);
+  };
+  std::vector<std::vector<double>> columns(record.channels.size() + 1);
+  for (std::size_t row = first; row < first + count; ++row) {
+    if (is_among(record.lost, row)) continue;
+    columns[0].push_back(record.start_s + static_cast<double>(row) / record.sample_rate_hz);
+    for (std::size_t c = 0; c < record.channels.size(); ++c) {
+      const bool is_measured = c >= record.no_numbers.size() || !is_among(record.no_numbers[c], row);
+      columns[c + 1].push_back(is_measured ? record.channels[c][row] : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return columns;
+}
 
 struct CampaignWriter::Building {
   Building(const fs::path& target, bool to_replace) : named(target), replace(to_replace), folder(target) {}

@@ -14,7 +14,7 @@ struct MotionBeside {
   double sample_rate_hz = 0;
   Eigen::VectorXcd others;         ///< poles of the constant motions, rad/s
   std::complex<double> pole;       ///< of the one, as if it were constant, rad/s
-  std::vector<double> amplitudes;  ///< of the one, by record at its first row, of any unit
+  std::vector<double> amplitudes;  ///< of the one, by record at its first row, of a unit that records share
 };
 
 /// Eq. (M9): the sum of squares that is left where the motion has a law of amplitude of this degree; amplitudes of

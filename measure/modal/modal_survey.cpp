@@ -436,8 +436,12 @@ std::string ModalSurvey::channel_name(Index channel) const {
 }
 
 ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyOptions& options) {
+  return modal_survey(read_campaign(folder), options);
+}
+
+ModalSurvey modal_survey(const Campaign& campaign, const ModalSurveyOptions& options) {
   ModalSurvey survey;
-  survey.campaign = read_campaign(folder);
+  survey.campaign = campaign;
   survey.options = options;
   if (options.highest_hz > 0 && survey.campaign.sample_rate_hz > 0 &&
       options.highest_hz >= 0.5 * survey.campaign.sample_rate_hz)

@@ -134,7 +134,9 @@ struct ModalSurvey {
 /// (pole_support) are dropped. Frequency and damping against amplitude from the free decays where there are any.
 /// Throws InputError for a campaign with neither, responses of different quantities, options that do not fit the
 /// campaign, records too short; NumericalFailure where no mode stands out of the noise.
-ModalSurvey modal_survey(const std::filesystem::path& campaign, const ModalSurveyOptions& options);
+ModalSurvey modal_survey(const Campaign& campaign, const ModalSurveyOptions& options);
+/// The same of a campaign folder.
+ModalSurvey modal_survey(const std::filesystem::path& folder, const ModalSurveyOptions& options);
 
 /// The [modal_basis] table of campaign.toml, mode names v1, v2, ... Throws InputError where a mass is missing.
 std::string modal_basis_text(const ModalSurvey& survey);

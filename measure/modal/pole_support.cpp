@@ -340,8 +340,10 @@ class Selection {
         return false;
     MotionBeside motion{
         samples_, motions_.channels, motions_.sample_rate_hz, without(one.poles, row), one.poles(row), {}};
+    // As measured: the noise that whitened samples are counted in may differ from record to record.
+    const PoleFit measured = fit_residues(motions_.samples, motions_.sample_rate_hz, one.poles);
     for (Index s = 0; s < samples_.cols(); s += motions_.channels)
-      motion.amplitudes.push_back(one.residues.row(row).segment(s, motions_.channels).norm());
+      motion.amplitudes.push_back(measured.residues.row(row).segment(s, motions_.channels).norm());
     // A law explains as much as any of lower degree.
     const double most = squares_left_by_law(motion, highest_degree, rival);
     rival = std::min(rival, most + 2 * highest_degree * price);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/stop_request.hpp"
 #include "measure/modal/modal_assurance.hpp"
 #include "measure/modal/pole.hpp"
 #include "numerics/hertz.hpp"
@@ -107,7 +108,10 @@ StabilisationDiagram stabilisation_diagram(const EigensystemRealization& realiza
   diagram.options = options;
   diagram.singular_values = realization.singular_values();
   const int largest = static_cast<int>(std::min<Index>(options.largest_order, realization.rank())) / 2 * 2;
-  for (int order = 2; order <= largest; order += 2) add_order(diagram, realization.realize(order), order);
+  for (int order = 2; order <= largest; order += 2) {
+    end_if_stopped();
+    add_order(diagram, realization.realize(order), order);
+  }
   // Chains are followed down from their last pole; each ends in the diagram where no higher order continues it.
   std::vector<bool> continued(diagram.poles.size(), false);
   for (const StabilisationPole& pole : diagram.poles)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "estimator/model/block_frequency.hpp"
 #include "estimator/model/zero_frequency.hpp"
 #include "input/input_error.hpp"
 #include "measure/observe/dwell_resonance.hpp"
@@ -289,6 +290,7 @@ class DwellObserver {
     else if (free.size() == 0)
       free = search_free(responses, rate, o.excitation_frequency, search);
     observe_responses(responses, rate, o, free);
+    if (excitations_.size() == 1 && motion_ == DwellMotion::steady) observe_excitation_harmonics(ensemble, o);
     return o;
   }
 
@@ -312,6 +314,41 @@ class DwellObserver {
     o.excitation_frequency_sd.push_back(noise * fit.frequency_sd);
     o.forcing.push_back(2.0 * fit.amplitude(0, 0));
     o.forcing_sd.push_back(2 * noise * fit.amplitude_sd(0, 0));
+  }
+
+  // What the excitation holds at the lines of the case's harmonics, beside its own tone.
+  void observe_excitation_harmonics(const Ensemble& ensemble, Observation& o) const {
+    const double rate = ensemble.record.sample_rate_hz, own = o.excitation_frequency[0];
+    const double apart = bins_between_tones * two_pi * rate / static_cast<double>(ensemble.count);
+    std::vector<double> lines = {own};
+    std::vector<std::ptrdiff_t> of_block(resonance_.blocks.size(), -1);
+    for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+      if (!(o.harmonic_sd[b] >= 0)) continue;
+      const double f = std::abs(observed_frequency(o, resonance_.blocks[b]));
+      const auto near = std::find_if(lines.begin(), lines.end(), [&](double l) { return std::abs(l - f) < apart; });
+      if (f < apart || near == lines.begin()) continue;
+      of_block[b] = near - lines.begin();
+      if (near == lines.end()) lines.push_back(f);
+    }
+    const Index count = static_cast<Index>(lines.size());
+    o.forcing_harmonic.assign(resonance_.blocks.size(), 0);
+    o.forcing_harmonic_sd.assign(resonance_.blocks.size(), -1);
+    const MatrixXd samples = samples_of(ensemble.record, excitations_, ensemble.begin, ensemble.count);
+    if (count == 1 || samples.rows() <= 2 * count + 1) return;
+    const RelatedTones tones{Eigen::Map<const VectorXd>(lines.data(), count), MatrixXd(count, 0)};
+    const RelatedToneFit fit = fit_related_tones(samples, rate, tones, VectorXd());
+    for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
+      if (of_block[b] < 0) continue;
+      const Complex line = 2.0 * fit.amplitude(of_block[b], 0);
+      o.forcing_harmonic[b] = observed_frequency(o, resonance_.blocks[b]) < 0 ? std::conj(line) : line;
+      o.forcing_harmonic_sd[b] = 2 * window_.noise_factor(rate) * fit.amplitude_sd(of_block[b], 0);
+    }
+  }
+
+  static double observed_frequency(const Observation& o, const RegressorBlock& block) {
+    return block_frequency(block, [&](std::size_t i) {
+      return i < o.rate.size() ? o.rate[i].imag() : o.excitation_frequency[i - o.rate.size()];
+    });
   }
 
   // Whether all oscillating modes have frequencies that can be seen apart from the excitation's harmonics.

@@ -39,8 +39,11 @@ struct Observation {
   std::shared_ptr<const std::vector<WindowPair>> overlap;
   std::vector<double> excitation_frequency;  ///< [excitation] rad/s
   std::vector<double> excitation_frequency_sd;
-  std::vector<std::complex<double>> forcing;    ///< [excitation] F exp(i*phase)
-  std::vector<double> forcing_sd;               ///< of real and imaginary part
+  std::vector<std::complex<double>> forcing;  ///< [excitation] F exp(i*phase)
+  std::vector<double> forcing_sd;             ///< of real and imaginary part
+  /// [block] of a harmonic: what the one excitation holds at its line, as `forcing`; sd negative: not measured.
+  std::vector<std::complex<double>> forcing_harmonic;
+  std::vector<double> forcing_harmonic_sd;
   std::vector<std::complex<double>> amplitude;  ///< [mode]
   std::vector<double> amplitude_sd;
   std::vector<std::complex<double>> rate;  ///< [mode] growth + i*(observed frequency)

@@ -53,8 +53,25 @@ std::optional<BalancedMotions::Balanced> BalancedMotions::in_balance(const Eigen
                                                                      const Observation& o,
                                                                      const Motion* start) const {
   if (!base_) return std::nullopt;
-  Balanced result;
-  MotionSetting& setting = result.setting;
+  return balance(parameters, o, setting_of(o), start);
+}
+
+std::optional<BalancedMotions::Balanced> BalancedMotions::under_all_lines(const Eigen::VectorXd& parameters,
+                                                                          const Observation& o,
+                                                                          const Motion* start) const {
+  if (!base_) return std::nullopt;
+  MotionSetting setting = setting_of(o);
+  for (std::size_t b = 0; b < o.forcing_harmonic.size(); ++b) {
+    if (!(o.forcing_harmonic_sd[b] >= 0)) continue;
+    // Blocks of several modes share a line.
+    if (const auto line = line_of(resonance_.blocks[b].phase))
+      setting.excitation(0, line->line) = 0.5 * line->of(o.forcing_harmonic[b]);
+  }
+  return balance(parameters, o, std::move(setting), start);
+}
+
+MotionSetting BalancedMotions::setting_of(const Observation& o) const {
+  MotionSetting setting;
   setting.torus = torus_;
   const std::vector<Complex> rates = base_->rates(o);
   for (std::size_t j = 0; j < rates.size(); ++j) setting.rate[j] = rates[j];
@@ -63,16 +80,23 @@ std::optional<BalancedMotions::Balanced> BalancedMotions::in_balance(const Eigen
     const SignedLine line = find(base_->excitation[j]).value();
     setting.excitation(static_cast<Index>(j), line.line) = 0.5 * line.of(o.forcing[j]);  // half of the peak
   }
+  return setting;
+}
+
+std::optional<BalancedMotions::Balanced> BalancedMotions::balance(const Eigen::VectorXd& parameters,
+                                                                  const Observation& o, MotionSetting setting,
+                                                                  const Motion* start) const {
+  Balanced result{std::move(setting), {}};
   std::vector<Complex> amplitudes;
   for (std::size_t k = 0; k < model_.modes(); ++k) {
     if (at_rest(base_->mode[k])) continue;
     const SignedLine line = find(base_->mode[k]).value();
-    setting.masters.push_back({k, line.line});
+    result.setting.masters.push_back({k, line.line});
     amplitudes.push_back(line.of(o.amplitude[k]));
   }
   result.motion =
       MotionBalance(model_, {})
-          .solve(setting,
+          .solve(result.setting,
                  Eigen::Map<const Eigen::VectorXcd>(amplitudes.data(), static_cast<Index>(amplitudes.size())),
                  std::span(parameters.data(), static_cast<std::size_t>(parameters.size())), start);
   if (!result.motion.converged()) return std::nullopt;
@@ -116,8 +140,7 @@ std::optional<Complex> BalancedMotions::rate_of(std::size_t mode, const Balanced
   return find(base_->mode[mode]).value().of(balanced.setting.line_rate(line->line)) + excess_rate(mode, balanced);
 }
 
-std::optional<Complex> BalancedMotions::amplitude_of(std::size_t mode, std::span<const int> phase,
-                                                     const Balanced& balanced) const {
+std::optional<BalancedMotions::SignedLine> BalancedMotions::line_of(std::span<const int> phase) const {
   LinePhase sum{};
   for (std::size_t i = 0; i < phase.size(); ++i) {
     const bool of_mode = i < base_->mode.size();
@@ -125,7 +148,12 @@ std::optional<Complex> BalancedMotions::amplitude_of(std::size_t mode, std::span
     const LinePhase& one = of_mode ? base_->mode[i] : base_->excitation[i - base_->mode.size()];
     for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += phase[i] * one[j];
   }
-  const auto line = find(sum);
+  return find(sum);
+}
+
+std::optional<Complex> BalancedMotions::amplitude_of(std::size_t mode, std::span<const int> phase,
+                                                     const Balanced& balanced) const {
+  const auto line = line_of(phase);
   if (!line) return std::nullopt;
   return line->of(balanced.motion.displacement(static_cast<Index>(mode), line->line));
 }

@@ -31,6 +31,9 @@ class BalancedMotions {
   /// excitation, amplitudes and rates are read. `start`: as MotionBalance::solve takes it.
   std::optional<Balanced> in_balance(const Eigen::VectorXd& parameters, const Observation& observation,
                                      const Motion* start = nullptr) const;
+  /// in_balance() under all lines of the excitation that were measured, `Observation::forcing_harmonic` too.
+  std::optional<Balanced> under_all_lines(const Eigen::VectorXd& parameters, const Observation& observation,
+                                          const Motion* start = nullptr) const;
   /// Nothing also where what the lines make is quite another motion than the observed one.
   std::optional<Balanced> at(const Eigen::VectorXd& parameters, const Observation& observation,
                              const Motion* start = nullptr) const;
@@ -63,6 +66,10 @@ class BalancedMotions {
     }
   };
   std::optional<SignedLine> find(const LinePhase& phase) const;
+  std::optional<SignedLine> line_of(std::span<const int> phase) const;
+  MotionSetting setting_of(const Observation& observation) const;
+  std::optional<Balanced> balance(const Eigen::VectorXd& parameters, const Observation& observation,
+                                  MotionSetting setting, const Motion* start) const;
 
   const CompiledModel& model_;
   const CompiledCase& resonance_;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "input/stop_request.hpp"
 #include "motion/response/differences.hpp"
 
 namespace secular {
@@ -47,6 +48,7 @@ NewtonResult newton(const EquationSystem& system, const Eigen::Ref<const VectorX
   result.unknowns = start;
   double previous = std::numeric_limits<double>::infinity();
   while (result.iterations < iteration_limit) {
+    end_if_stopped();
     const VectorXd step = newton_step(system.jacobian(result.unknowns), system.value(result.unknowns));
     if (!step.allFinite()) {
       result.ending = SolverEnding::ran_away;

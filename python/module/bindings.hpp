@@ -13,6 +13,10 @@ void add_campaign(pybind11::module_& module);
 void add_model(pybind11::module_& module);
 void add_identify(pybind11::module_& module);
 void add_diagnose(pybind11::module_& module);
+void add_outcome(pybind11::module_& module);
+void add_predict(pybind11::module_& module);
+void add_plan(pybind11::module_& module);
+void add_surveys(pybind11::module_& module);
 
 /// {"title", "x": axis, "panels": [{"title", "y": axis, "series": [...]}]}, an axis being {"label", "unit",
 /// "logarithmic"} and a series {"name", "style", "role", "x", "y", "y_error"}.

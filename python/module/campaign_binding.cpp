@@ -44,6 +44,14 @@ std::shared_ptr<Campaign> hold(const std::string& text, const std::vector<std::p
   return std::make_shared<Campaign>(computed([&] { return held_campaign(text, std::move(records)); }));
 }
 
+// The same with all samples in memory: its folder may go.
+Campaign in_memory(Campaign campaign) {
+  for (RecordEntry& entry : campaign.records)
+    if (!entry.row) entry.held = std::make_shared<const Record>(read_record(campaign, entry));
+  campaign.folder = campaign.name;
+  return campaign;
+}
+
 // (start_s, array of channels x samples), NaN where the file holds no sample.
 py::tuple samples_of(const Campaign& campaign, std::size_t index) {
   const RecordEntry& entry = campaign.records.at(index);
@@ -104,7 +112,7 @@ std::shared_ptr<Campaign> simulated(const std::string& experiment, std::uint64_t
 
 // As the commands do: never over what is read, and in the place of a campaign that a command made alone.
 void save(const Campaign& campaign, const std::string& folder, bool replace) {
-  const auto is_in_memory = [](const RecordEntry& entry) { return entry.held != nullptr; };
+  const auto is_in_memory = [](const RecordEntry& entry) { return entry.held || entry.row; };
   if (!std::all_of(campaign.records.begin(), campaign.records.end(), is_in_memory))
     if (const std::string how = overlap(folder, campaign.folder); !how.empty())
       throw InputError(folder, "", fmt::format("{} the campaign that is read ({})", how, campaign.folder.string()),
@@ -126,6 +134,12 @@ void add_campaign(py::module_& module) {
                   [](const std::string& folder) {
                     return std::make_shared<Campaign>(computed([&] { return read_campaign(folder); }));
                   })
+      .def_static(
+          "read_into_memory",
+          [](const std::string& folder) {
+            return std::make_shared<Campaign>(computed([&] { return in_memory(read_campaign(folder)); }));
+          },
+          "folder"_a)
       .def_static("hold", &hold, "text"_a, "records"_a)
       .def_readonly("name", &Campaign::name)
       .def_readonly("sample_rate_hz", &Campaign::sample_rate_hz)

@@ -11,6 +11,7 @@
 #include "jobs/diagnose/diagnosis_run.hpp"
 #include "jobs/shared/left_out.hpp"
 #include "python/module/bindings.hpp"
+#include "python/module/outcome.hpp"
 #include "python/module/running.hpp"
 
 namespace py = pybind11;
@@ -24,17 +25,15 @@ struct DiagnoseOutcome {
   std::vector<std::string> notices;
 };
 
-// `parameters`: (name, text of JSON); a text of None is that of the file, or of the shipped numbers, of that name.
-std::shared_ptr<DiagnoseOutcome> diagnosed(
-    const Campaign& campaign, const std::string& model,
-    const std::optional<std::pair<std::string, std::optional<std::string>>>& parameters, const py::dict& options) {
+std::shared_ptr<DiagnoseOutcome> diagnosed(const Campaign& campaign, const std::string& model,
+                                           const std::optional<ParameterArgument>& parameters,
+                                           const py::dict& options) {
   auto outcome = std::make_shared<DiagnoseOutcome>();
   DiagnosisRequest request;
   request.model = model;
   if (parameters) {
     request.parameters_name = parameters->first;
-    request.parameters = parameters->second ? parameters_of(*parameters->second, parameters->first)
-                                            : read_parameter_file(parameters->first);
+    request.parameters = given_parameters(*parameters);
   }
   request.without = options["without"].cast<std::vector<std::string>>();
   request.threads = options["threads"].cast<unsigned>();
@@ -60,9 +59,7 @@ void add_diagnose(py::module_& module) {
           },
           "command"_a)
       .def("figure",
-           [](const DiagnoseOutcome& o) {
-             return figure_dict(computed([&] { return gap_figure(o.found); }));
-           })
+           [](const DiagnoseOutcome& o) { return figure_dict(computed([&] { return gap_figure(o.found); })); })
       .def_property_readonly("mostly_left_out", [](const DiagnoseOutcome& o) { return o.found.mostly_left_out; })
       .def_readonly("notices", &DiagnoseOutcome::notices);
   module.def("diagnose", &diagnosed, "campaign"_a, "model"_a, "parameters"_a, "options"_a);

@@ -39,11 +39,18 @@ PYBIND11_MODULE(_core, module) {
   module.def(
       "set_folder",
       [](const std::string& folder) {
-        secular::set_program_folder(std::filesystem::path(folder) / SECULAR_PROGRAM_FROM_PACKAGE);
+        // A wheel holds what else is installed beside the program.
+        const std::filesystem::path package = folder;
+        const bool in_wheel = std::filesystem::exists(package / "share/secular/models");
+        secular::set_program_folder(in_wheel ? package / "bin" : package / SECULAR_PROGRAM_FROM_PACKAGE);
       },
-      "Says where the package is installed: the models and headers are found from there.");
+      py::arg("folder"), "Says where the package is installed: the models and headers are found from there.");
   secular::python::add_campaign(module);
   secular::python::add_model(module);
   secular::python::add_identify(module);
   secular::python::add_diagnose(module);
+  secular::python::add_outcome(module);
+  secular::python::add_predict(module);
+  secular::python::add_plan(module);
+  secular::python::add_surveys(module);
 }

@@ -14,8 +14,13 @@ import os as _os
 from . import _core
 from ._campaign import Campaign, Channel, ModalBasis, Record
 from ._errors import InputError, NumericalFailure
+from ._files import Fault, Import, InspectedRecord, Inspection, Levels, Variable, import_files, inspect
 from ._jobs import Cause, Diagnosis, Identification, Value, diagnose, identify, simulate
-from ._model import Derivation, Model, derive
+from ._model import Derivation, EvaluatedTerm, Evaluation, Model, derive, evaluate
+from ._plan import Plan, PlannedDwell, Programme, WantedParameter, plan
+from ._predict import Backbone, Branch, Curve, MeasuredDwell, Prediction, SpecialPoint, Sweep, predict
+from ._surveys import (ChannelSpectrum, Decomposition, ModalSurvey, Mode, Spectrum, SteadyLevel, Term, modal,
+                       spectrum)
 
 _core.set_folder(_os.path.dirname(_os.path.abspath(__file__)))
 
@@ -27,6 +32,9 @@ def shipped_models() -> list:
     return _core.shipped_models()
 
 
-__all__ = ["Campaign", "Cause", "Channel", "Derivation", "Diagnosis", "Identification", "InputError", "ModalBasis",
-           "Model", "NumericalFailure", "Record", "Value", "derive", "diagnose", "identify", "shipped_models",
-           "simulate"]
+__all__ = ["Backbone", "Branch", "Campaign", "Cause", "Channel", "ChannelSpectrum", "Curve", "Decomposition",
+           "Derivation", "Diagnosis", "EvaluatedTerm", "Evaluation", "Fault", "Identification", "Import", "InputError",
+           "InspectedRecord", "Inspection", "Levels", "MeasuredDwell", "ModalBasis", "ModalSurvey", "Mode", "Model",
+           "NumericalFailure", "Plan", "PlannedDwell", "Prediction", "Programme", "Record", "SpecialPoint", "Spectrum",
+           "SteadyLevel", "Sweep", "Term", "Value", "Variable", "WantedParameter", "derive", "diagnose", "evaluate",
+           "identify", "import_files", "inspect", "modal", "plan", "predict", "shipped_models", "simulate", "spectrum"]

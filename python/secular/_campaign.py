@@ -163,7 +163,7 @@ class Campaign:
 
     From arrays, `Campaign(channels, records, time_step_s=...)`: channels a sequence of Channel, records a sequence of
     Record, time_step_s the time between samples (s), modal_basis a ModalBasis where responses are no coordinates of the
-    model. From a folder, or the files that `secular import` made one of: `Campaign.read(folder)`.
+    model. From a folder: `Campaign.read(folder)`; from other files: `secular.import_files`.
     """
 
     def __init__(self, channels: Sequence[Channel], records: Sequence[Record], *, time_step_s: float,

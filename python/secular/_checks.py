@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import numbers
 import os
+import re
 from typing import Mapping, Optional, Tuple
 
 import numpy as np
@@ -126,3 +128,87 @@ def samples(where: str, given, channels: int) -> np.ndarray:
     if array.shape[1] < 2:
         raise refused(where, f"hold {array.shape[1]} of every channel", "give two samples or more")
     return array
+
+
+def selection(records, band_hz, from_s, to_s, threads_, interpret) -> dict:
+    return dict(window(records, band_hz, from_s, to_s), threads=threads(threads_),
+                interpret=flag("interpret", interpret))
+
+
+def window(records, band_hz=None, from_s=None, to_s=None) -> dict:
+    """Which part of which records."""
+    return {"records": optional_text("records", records), "band_hz": band(band_hz),
+            "from_s": optional_real("from_s", from_s, may_be_infinite=True),
+            "to_s": optional_real("to_s", to_s, may_be_infinite=True)}
+
+
+def positive(argument: str, value) -> float:
+    number = real(argument, value)
+    if not number > 0:
+        raise refused(argument, _shown(value), "give a positive number")
+    return number
+
+
+def not_negative(argument: str, value) -> float:
+    number = real(argument, value)
+    if number < 0:
+        raise refused(argument, _shown(value), "give no negative number")
+    return number
+
+
+def within(argument: str, value, low: float, high: float) -> float:
+    number = real(argument, value)
+    if not low <= number <= high:
+        raise refused(argument, _shown(value), f"give a number from {low:g} to {high:g}")
+    return number
+
+
+def optional(check, argument: str, value, *limits):
+    return None if value is None else check(argument, value, *limits)
+
+
+def reals(argument: str, value) -> list[float]:
+    """One number, or several; None: none."""
+    if value is None:
+        return []
+    if isinstance(value, (str, Mapping)) or not np.iterable(value):
+        return [real(argument, value)]
+    return [real(argument, number) for number in value]
+
+
+def pair(argument: str, value) -> Tuple[float, float]:
+    numbers_ = reals(argument, value)
+    if len(numbers_) != 2:
+        raise refused(argument, _shown(value), "give (low, high)")
+    return numbers_[0], numbers_[1]
+
+
+def one_of(argument: str, value, *words: str) -> str:
+    if value not in words:
+        raise refused(argument, _shown(value), "give " + " or ".join(repr(word) for word in words))
+    return value
+
+
+def in_keywords(keywords: Mapping[str, str]):
+    """Errors of a job name arguments of the function in place of the program's options.
+
+    keywords: option, without its hyphens, to argument, where that is not the same word with underscores.
+    """
+    def renamed(text_: str) -> str:
+        def argument(match):
+            option = match[1]
+            return keywords.get(option, option.replace("-", "_"))
+        return re.sub(r"(?<![\w-])--([a-z][a-z-]*[a-z])", argument, text_)
+
+    def decorate(job):
+        @functools.wraps(job)
+        def call(*arguments, **named):
+            try:
+                return job(*arguments, **named)
+            except InputError as error:
+                parts = [renamed(part) for part in (str(error), error.file, error.place, error.fault, error.remedy)]
+                if parts[0] == str(error):
+                    raise
+                raise InputError(*parts) from None
+        return call
+    return decorate

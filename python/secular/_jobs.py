@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 import os
 from dataclasses import dataclass, field
@@ -14,6 +13,7 @@ from . import _checks, _core
 from ._campaign import Campaign, as_campaign
 from ._errors import NumericalFailure
 from ._model import Model, model_source
+from ._result import Result, html_table
 
 
 @dataclass(frozen=True)
@@ -59,33 +59,18 @@ def _value(entry: dict) -> Value:
                  _why(entry), entry.get("definition", ""), entry.get("case", ""), entry)
 
 
-class _Result:
-    """What results have in common.
+class _Estimated(Result):
+    """What an identification and a diagnosis have in common.
 
     status: "done", where the program would exit with 0; "not converged"; "mostly left out" (numbers from less than half
-    of the records); "failed" (there are no numbers). reason: why it is not "done". notices: what there is to
-    know of the records and the run, one line each. disturbances: what the records hold beside the motion. data: the
-    content of the file that the program writes.
+    of the records); "failed" (there are no numbers). disturbances: what the records hold beside the motion.
     """
 
-    def __init__(self, core, reason: str):
-        self._core = core
-        self.reason = reason
-        self.status = "failed" if core is None else "done"
+    def __init__(self, core, reason: str = ""):
+        super().__init__(core, reason)
         if core is not None and core.mostly_left_out:
             self.status, self.reason = "mostly left out", core.mostly_left_out
-        self.data: dict = json.loads(core.json()) if core is not None else {}
-        self.notices: list[str] = core.notices if core is not None else []
         self.disturbances: list[dict] = self.data.get("disturbances", [])
-
-    def _found(self):
-        if self._core is None:
-            raise NumericalFailure(self.reason)
-        return self._core
-
-    def to_json(self) -> str:
-        """The text of the file that the program writes."""
-        return self._found().json()
 
     def to_html(self) -> str:
         """The report that the program writes, one self-contained page."""
@@ -98,7 +83,7 @@ class _Result:
         return draw(self._found().figure(), figure)
 
 
-class Identification(_Result):
+class Identification(_Estimated):
     """Estimates of a model's parameters (docs/reading_an_estimate.md says what they mean).
 
     values, lumps: lists of Value; result["mu1"] is that of one symbol. names, estimates, standard_deviations, units: of
@@ -158,7 +143,7 @@ class Identification(_Result):
                  ("doubtful: " if v.doubtful else "") + v.why) for v in self.values]
 
     def _repr_html_(self) -> str:
-        return _html_table(f"Identification: {self.status} {self.reason}", ("", "value", "sd", "unit", ""), self._rows())
+        return html_table(f"Identification: {self.status} {self.reason}", ("", "value", "sd", "unit", ""), self._rows())
 
     def __repr__(self) -> str:
         lines = [f"<secular.Identification: {self.status}{', ' + self.reason if self.reason else ''}"]
@@ -182,7 +167,7 @@ class Cause:
     closed: Optional[float]
 
 
-class Diagnosis(_Result):
+class Diagnosis(_Estimated):
     """Where model and measurement disagree, and why (docs/reading_a_diagnosis.md).
 
     verdict: "no_gap", "cause" (`cause` names it), "set" (one of `causes_left`), "approximate" (`causes_left` act like
@@ -222,7 +207,7 @@ class Diagnosis(_Result):
                  "" if cause.coefficient is None else f"{cause.coefficient:.5g}") for cause in self.causes]
 
     def _repr_html_(self) -> str:
-        return _html_table(f"Diagnosis: {self._head()}", ("probability", "effect", "mode", "symbol", "coefficient"),
+        return html_table(f"Diagnosis: {self._head()}", ("probability", "effect", "mode", "symbol", "coefficient"),
                            self._rows())
 
     def __repr__(self) -> str:
@@ -230,19 +215,13 @@ class Diagnosis(_Result):
         return "\n".join([f"<secular.Diagnosis: {self._head()}", *rows]) + ">"
 
 
-def _html_table(caption: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    def line(cells, tag):
-        return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>"
-
-    return (f"<table><caption>{html.escape(caption.strip())}</caption>" + line(heads, "th")
-            + "".join(line(row, "td") for row in rows) + "</table>")
-
-
-def _selection(records, band_hz, from_s, to_s, threads, interpret) -> dict:
-    return {"records": _checks.optional_text("records", records), "band_hz": _checks.band(band_hz),
-            "from_s": _checks.optional_real("from_s", from_s, may_be_infinite=True),
-            "to_s": _checks.optional_real("to_s", to_s, may_be_infinite=True),
-            "threads": _checks.threads(threads), "interpret": _checks.flag("interpret", interpret)}
+def given_parameters(parameters) -> Tuple[str, Optional[str]]:
+    """(name, text of JSON) or (file, None)."""
+    if isinstance(parameters, Identification):
+        return "the identification", parameters.to_json()
+    if isinstance(parameters, Mapping):
+        return "the parameters", json.dumps(_checks.numbers_by_symbol("parameters", parameters))
+    return _checks.path("parameters", parameters), None
 
 
 def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, str, os.PathLike], *,
@@ -261,9 +240,10 @@ def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     """
     if by not in (None, "full-equations", "modulation-equations"):
         raise _checks.refused("by", f"is {by!r}", "give 'full-equations' or 'modulation-equations'")
-    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret), cases=_checks.names("case", case),
-                   fix=_checks.numbers_by_symbol("fix", fix), by=by, refine=_checks.flag("refine", refine),
-                   bootstrap=_checks.whole("bootstrap", bootstrap, 0, 100000), seed=_checks.seed(seed))
+    options = dict(_checks.selection(records, band_hz, from_s, to_s, threads, interpret),
+                   cases=_checks.names("case", case), fix=_checks.numbers_by_symbol("fix", fix), by=by,
+                   refine=_checks.flag("refine", refine), bootstrap=_checks.whole("bootstrap", bootstrap, 0, 100000),
+                   seed=_checks.seed(seed))
     try:
         return Identification(_core.identify(as_campaign(campaign)._core, model_source(model), options))
     except NumericalFailure as failure:
@@ -280,14 +260,8 @@ def diagnose(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     parameters: whose gap is asked for: an Identification, symbol to number, or a file; without it those that fit best.
     without: effects of the catalogue that are not to be considered. The rest as in `identify`.
     """
-    given = None
-    if isinstance(parameters, Identification):
-        given = ("the identification", parameters.to_json())
-    elif isinstance(parameters, Mapping):
-        given = ("the parameters", json.dumps(_checks.numbers_by_symbol("parameters", parameters)))
-    elif parameters is not None:
-        given = (_checks.path("parameters", parameters), None)
-    options = dict(_selection(records, band_hz, from_s, to_s, threads, interpret),
+    given = None if parameters is None else given_parameters(parameters)
+    options = dict(_checks.selection(records, band_hz, from_s, to_s, threads, interpret),
                    without=_checks.names("without", without))
     try:
         return Diagnosis(_core.diagnose(as_campaign(campaign)._core, model_source(model), given, options))

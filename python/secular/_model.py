@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import os
 import re
-from typing import Optional, Sequence, Union
+from dataclasses import dataclass
+from typing import Mapping, Optional, Sequence, Union
 
 from . import _checks, _core
+from ._result import Result, html_table
 
 
 class Model:
@@ -102,3 +104,72 @@ def derive(model: Union[Model, str, os.PathLike], case: Optional[str] = None, *,
     """
     return Derivation(_core.derive(model_source(model), _checks.optional_text("case", case) or "",
                                    _checks.names("with_effects", with_effects)))
+
+
+@dataclass(frozen=True)
+class EvaluatedTerm:
+    """One term: value (complex) times the powers of its symbols times exp(i phase).
+
+    powers: "A_v", "conj_A_v", "abs_A_v", "F", ... to the exponent. phase: of a modulation term multiples of detunings
+    times t (`slow_phase`), of a harmonic multiples of frequencies. order: power of eps, of a harmonic.
+    """
+
+    value: complex
+    powers: Mapping[str, int]
+    phase: Mapping[str, int]
+    order: Optional[int] = None
+
+
+class Evaluation(Result):
+    """Numbers of a derivation.
+
+    case, omega_policy; modulation: coordinate to the list of EvaluatedTerm of dA/dt (true time, eps = 1); harmonics:
+    coordinate to the list of EvaluatedTerm beyond A exp(i omega t). rate(): dA/dt at an amplitude.
+    """
+
+    def __init__(self, core):
+        super().__init__(core)
+        self.case: str = self.data["case"]
+        self.omega_policy: str = self.data["omega_policy"]
+        self.modulation = {mode: [EvaluatedTerm(complex(*term["value"]), term["powers"], term["slow_phase"])
+                                  for term in terms]
+                           for mode, terms in self.data["modulation"].items()}
+        self.harmonics = {mode: [EvaluatedTerm(complex(*term["value"]), term["powers"], term["phase"], term["order"])
+                                 for term in terms] for mode, terms in self.data["harmonics"].items()}
+
+    def to_pandas(self):
+        """A data frame with one row for each term."""
+        import pandas
+
+        return pandas.DataFrame([{"of": of, "mode": mode, "value": term.value, "powers": term.powers,
+                                  "phase": term.phase, "order": term.order}
+                                 for of, table in (("modulation", self.modulation), ("harmonics", self.harmonics))
+                                 for mode, terms in table.items() for term in terms])
+
+    def _rows(self):
+        def product(table):
+            return " ".join(name if power == 1 else f"{name}^{power}" for name, power in table.items())
+
+        return [(f"dA_{mode}/dt", product(term.powers), " + ".join(f"{n} {name}" for name, n in term.phase.items()),
+                 f"{term.value:.6g}") for mode, terms in self.modulation.items() for term in terms]
+
+    def _repr_html_(self) -> str:
+        return html_table(f"Modulation of case {self.case}", ("of", "product", "phase / t", "value"), self._rows())
+
+    def __repr__(self) -> str:
+        rows = ["  {:<10} {:<24} {:<12} {}".format(*row) for row in self._rows()]
+        return "\n".join([f"<secular.Evaluation of case {self.case}", *rows]) + ">"
+
+
+@_checks.in_keywords({})
+def evaluate(model: Union[Model, str, os.PathLike], case: str,
+             values: Union[Mapping[str, float], str, os.PathLike], *, omega_policy: str = "nominal") -> Evaluation:
+    """Numbers of a derivation: modulation terms and harmonics; what `secular evaluate` does.
+
+    values: a number for every symbol, or a JSON file of them. omega_policy: "nominal", the excitation's frequency
+    inside coefficients has its resonant value, or "kept". Raises InputError.
+    """
+    given = ("the values", _checks.numbers_by_symbol("values", values)) if isinstance(values, Mapping) else \
+        (_checks.path("values", values), None)
+    kept = _checks.one_of("omega_policy", omega_policy, "nominal", "kept") == "kept"
+    return Evaluation(_core.evaluate(model_source(model), _checks.text("case", case), given, kept))

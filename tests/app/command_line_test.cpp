@@ -47,14 +47,25 @@ void expect_bad_input(const Outcome& outcome, const std::string& part) {
 }
 
 TEST_F(CommandLine, EveryCommandHelpsWithAnExample) {
-  for (const char* command : {"derive", "evaluate", "verify", "generate", "simulate", "identify", "predict",
-                              "import", "inspect", "modal", "diagnose", "spectrum", "procedure", "plan", "blind"}) {
+  for (const char* command :
+       {"derive", "evaluate", "verify", "generate", "simulate", "identify", "predict", "import", "inspect", "modal",
+        "diagnose", "spectrum", "procedure", "plan", "blind", "to-matlab"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.output.find("xample"), std::string::npos) << command;
   }
   EXPECT_EQ(run("").status, 2);
   EXPECT_EQ(run("frobnicate").status, 2);
+}
+
+TEST_F(CommandLine, TheBlindCheckPrintsItsFileAsJson) {
+  const Outcome made = run("blind generate --campaigns 1 --records one_decay --json -o set");
+  ASSERT_EQ(made.status, 0) << made.errors;
+  EXPECT_EQ(nlohmann::json::parse(made.output)["campaigns"], 1);
+  const Outcome scored = run("blind score set -o page --json");
+  EXPECT_EQ(scored.status, 0) << scored.errors;
+  EXPECT_EQ(scored.output, testing_support::text_of(folder / "page/score.json"));
+  EXPECT_EQ(nlohmann::json::parse(scored.output)["failed"], 1);  // it was not diagnosed
 }
 
 TEST_F(CommandLine, DerivePrintsCertifiedEquations) {

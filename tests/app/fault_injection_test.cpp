@@ -96,6 +96,17 @@ class FaultInjection : public testing::Test {
     }
   }
 
+  // A sealed set of two campaigns, and in place of the program that is checked one that starts another, which works
+  // for so many seconds.
+  void write_set_and_program(const std::string& seconds) const {
+    for (const std::string place : {"set/case_0001", "set/case_0002"}) fs::create_directories(folder_ / place);
+    write("set/set.json", R"({"schema": 1, "seed": 1, "set": "short", "cases": 2})");
+    write("set/labels.sha256", "of labels that nobody opens");
+    write("slow.sh",
+          "#!/bin/sh\ncase \"$*\" in *--help*) echo '--model --threads'; exit 0;; esac\nsleep " + seconds + "\n");
+    fs::permissions(folder_ / "slow.sh", fs::perms::owner_all);
+  }
+
   // Of two that write into one folder at least one comes to its end, and the other one says why it does not.
   void expect_one_at_a_time(const std::string& command) const {
     fs::remove_all(folder_ / "both");
@@ -178,12 +189,7 @@ TEST_F(SlowFaultInjection, TwoSetsAtOnceAreOneAfterTheOtherOrRefused) {
 }
 
 TEST_F(FaultInjection, ProgramsOfABlindRunEndWithIt) {
-  for (const std::string place : {"set/case_0001", "set/case_0002"}) fs::create_directories(folder_ / place);
-  write("set/set.json", R"({"schema": 1, "seed": 1, "set": "short", "cases": 2})");
-  write("set/labels.sha256", "of labels that nobody opens");
-  // In place of the program that is checked: one that would work for a minute, and starts another one.
-  write("slow.sh", "#!/bin/sh\ncase \"$*\" in *--help*) echo '--model --threads'; exit 0;; esac\nsleep 77.3125\n");
-  fs::permissions(folder_ / "slow.sh", fs::perms::owner_all);
+  write_set_and_program("77.3125");
   for (const std::string signal : {"TERM", "INT"}) {
     shell(
         "$S blind run set --program ./slow.sh --threads 2 2> errors.txt & p=$!\nfor i in $(seq 400); do test "
@@ -201,6 +207,25 @@ TEST_F(FaultInjection, ProgramsOfABlindRunEndWithIt) {
     EXPECT_LT(milliseconds, 1000);
     EXPECT_NE(text_of(folder_ / "errors.txt").find("the same command goes on with the rest"), std::string::npos);
     EXPECT_FALSE(fs::exists(folder_ / "set/case_0001/run.json"));  // it is no campaign that has been diagnosed
+  }
+}
+
+// Ctrl-Z and fg. The time between counts as none.
+TEST_F(FaultInjection, ProgramsOfABlindRunStopAndGoOnWithIt) {
+  write_set_and_program("0.6875");
+  shell(
+      "$S blind run set --program ./slow.sh --threads 2 --limit 2 > said.txt & p=$!\nfor i in $(seq 400); do test "
+      "$(pgrep -cf '^sleep 0.6875') = 2 && break; sleep 0.01; done\nall=\"$p $(pgrep -f '^sleep 0.6875')\"\nkill "
+      "-TSTP $p\nfor i in $(seq 100); do ps -o stat= -p $p | grep -q T && break; sleep 0.01; done\n"
+      "ps -o stat= -p $all | cut -c 1 > stopped.txt\nsleep 2.2\nkill -CONT $p\na=147; while test $a = 147; do wait "
+      "$p; a=$?; done; echo $a > ended.txt\n");
+  EXPECT_EQ(text_of(folder_ / "stopped.txt"), "T\nT\nT\n");
+  EXPECT_EQ(text_of(folder_ / "ended.txt"), "0\n");
+  for (const std::string place : {"set/case_0001", "set/case_0002"}) {
+    const nlohmann::json run = nlohmann::json::parse(text_of(folder_ / place / "run.json"));
+    EXPECT_EQ(run["out_of_time"], false);
+    EXPECT_EQ(run["status"], 0);
+    EXPECT_LT(run["seconds"], 2);
   }
 }
 

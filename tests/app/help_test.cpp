@@ -54,17 +54,20 @@ TEST(Help, OfAnUnknownCommandSaysWhatMayBeMeant) {
   EXPECT_EQ(run.errors, "secular: genrate is no command of `secular blind`; did you mean generate?\n");
 }
 
+std::string as_in_manual(std::string text) {
+  for (std::size_t dash = text.find('-'); dash != std::string::npos; dash = text.find('-', dash + 2))
+    text.insert(dash, "\\");
+  return text;
+}
+
 TEST(Help, ThePageOfTheManualHasEveryOption) {
   const std::string page = printed("help --manual");
   for (const std::string& command : command_words()) {
-    const std::size_t from = command.empty() ? 0 : page.find(".SS secular " + command + "\n");
+    const std::size_t from = command.empty() ? 0 : page.find(".SS secular " + as_in_manual(command) + "\n");
     ASSERT_NE(from, std::string::npos) << command;
     const std::string section = page.substr(from, page.find("\n.SS ", from + 1) - from);
-    for (std::string option : options_in(printed(command + " --help"))) {
-      for (std::size_t dash = option.find('-'); dash != std::string::npos; dash = option.find('-', dash + 2))
-        option.insert(dash, "\\");
-      EXPECT_NE(section.find(option), std::string::npos) << command << " " << option;
-    }
+    for (const std::string& option : options_in(printed(command + " --help")))
+      EXPECT_NE(section.find(as_in_manual(option)), std::string::npos) << command << " " << option;
   }
 }
 

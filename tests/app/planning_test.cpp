@@ -1,5 +1,5 @@
 // `secular plan` against the programme in use: predicted quickly, shown by simulation.
-#include "app/plan/planning.hpp"
+#include "jobs/plan/planning.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <fstream>
 #include <map>
 
-#include "app/plan/dwell_evaluation.hpp"
-#include "app/plan/plan_inputs.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "input/input_error.hpp"
+#include "jobs/plan/dwell_evaluation.hpp"
+#include "jobs/plan/plan_inputs.hpp"
 #include "numerics/hertz.hpp"
 #include "tests/procedures/noisy_campaign.hpp"
 #include "tests/process_folder.hpp"

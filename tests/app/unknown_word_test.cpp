@@ -114,6 +114,8 @@ TEST_F(TypedWords, NumbersThatAreNoneAreRefused) {
     EXPECT_EQ(outcome.status, 2) << value << outcome.errors;
     EXPECT_NE(outcome.errors.find("--fix mu=" + value), std::string::npos) << outcome.errors;
   }
+  for (const std::string campaigns : {"0", "10000", "-1", "1e9"})
+    EXPECT_EQ(run("blind generate --campaigns " + campaigns + " -o out").status, 2) << campaigns;
 }
 
 }  // namespace

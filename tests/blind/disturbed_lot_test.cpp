@@ -91,7 +91,8 @@ struct Diagnosed {
 constexpr std::uint64_t seed_of_diagnosed = 60606;
 
 Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects,
-                    const std::function<void(SealedCampaign&)>& disturb = {}, const std::string& options = "") {
+                    const std::function<void(SealedCampaign&)>& disturb = {}, const std::string& options = "",
+                    std::size_t dwells = 12) {
   constexpr std::uint64_t seed = seed_of_diagnosed;
   CampaignPlan plan;
   plan.number = number;
@@ -99,6 +100,7 @@ Diagnosed diagnosed(std::size_t number, const std::vector<std::string>& effects,
   plan.effects = effects;
   plan.family = "primary";
   plan.snr_db = 40;
+  plan.dwells = dwells;
   plan.disturbed = true;
   Diagnosed result{draw_campaign(plan, seed), {}};
   result.sealed.parameters.clear();
@@ -126,7 +128,7 @@ std::map<std::size_t, double> sizes_of(const Diagnosed& d, const std::string& ki
 
 // Responses that are late by up to 14 ms, another time in every record.
 TEST(SlowDisturbedLot, LateRecordsAreNoCause) {
-  const Diagnosed d = diagnosed(91, {});
+  const Diagnosed d = diagnosed(91, {}, {}, "", 20);
   ASSERT_EQ(d.sealed.disturbances.kinds, std::vector<std::string>{"late_record"});
   EXPECT_EQ(d.said.at("verdict"), "no_gap");
   const std::map<std::size_t, double> late = sizes_of(d, "late_record");
@@ -145,7 +147,7 @@ TEST(SlowDisturbedLot, FrequenciesThatScatterAreNoCause) {
   const Diagnosed d = diagnosed(91, {}, scatter_a_little);
   EXPECT_EQ(d.said.at("verdict"), "no_gap");
   const std::map<std::size_t, double> own = sizes_of(d, "record_scatter");
-  ASSERT_GE(own.size(), 18U);
+  ASSERT_GE(own.size(), 12U);
   double mean = 0, sum = 0;
   const auto off = [&](std::size_t record, double shift) {
     return shift - (d.sealed.disturbances.of_record(record).frequency_factor - 1);
@@ -185,8 +187,8 @@ TEST(SlowDisturbedLot, LateRecordsWithFrequenciesThatScatterAreNoCause) {
       without_all_but_a_few());
   ASSERT_EQ(d.sealed.disturbances.kinds, (std::vector<std::string>{"late_record", "record_scatter"}));
   EXPECT_EQ(d.said.at("verdict"), "no_gap");
-  EXPECT_GE(sizes_of(d, "late_record").size(), 15U);
-  EXPECT_GE(sizes_of(d, "record_scatter").size(), 15U);
+  EXPECT_GE(sizes_of(d, "late_record").size(), 10U);
+  EXPECT_GE(sizes_of(d, "record_scatter").size(), 10U);
 }
 
 TEST(SlowDisturbedLot, AnEffectIsNamedBesideFrequenciesThatScatter) {
@@ -197,7 +199,7 @@ TEST(SlowDisturbedLot, AnEffectIsNamedBesideFrequenciesThatScatter) {
 
 // Five dwells do not tell how frequencies scatter, and a law fits them as well: none is named.
 TEST(SlowDisturbedLot, FewDwellsWhoseFrequenciesScatterTellNoLaw) {
-  for (std::size_t number = 91; number < 97; ++number) {
+  for (std::size_t number = 91; number < 94; ++number) {
     const auto scatter = [](SealedCampaign& sealed) {
       sealed.of_stretches.clear();
       sealed.specimen.stretches.clear();

@@ -265,6 +265,35 @@ TEST(PoleSupport, TwoModesSeenAsOneAreTwo) {
   EXPECT_GT(binomial_upper_tail(2 * runs - held, 2 * runs, 0.05), 1e-3) << held;
 }
 
+// u' = p - c a_0 exp(Re u): softer and more damped at large amplitude, with a closed solution. The same motion at
+// two amplitudes, of which the larger stands in ten times the noise.
+TEST(PoleSupport, AMotionWhoseRecordsAreUnequallyNoisyIsOne) {
+  const double growth = -1, turning = 20 * hertz;
+  const std::complex<double> law(-3, -15);
+  testing_support::Gaussian gaussian(79);
+  constexpr int runs = 10;
+  int one = 0;
+  for (int run = 0; run < runs; ++run) {
+    FreeMotions motions = motions_of({}, 2, gaussian);
+    const Index rows = motions.samples.rows();
+    for (Index record = 0; record < 2; ++record) {
+      const double begin = record == 0 ? 1 : 0.5, noise = record == 0 ? 0.05 : 0.005;
+      for (Index i = 0; i < rows; ++i) {
+        const double t = static_cast<double>(i) / motions.sample_rate_hz;
+        // a' = (g + c a) a, and the integral of a is that of a' / (g + c a).
+        const double shrink = std::exp(growth * t), of_law = law.real() * begin / growth;
+        const double below = 1 + of_law * (1 - shrink), a = begin * shrink / below;
+        const double integral = std::log(below) / -law.real();
+        const double phase = turning * t + law.imag() * integral;
+        for (Index c = 0; c < 2; ++c)
+          motions.samples(i, 2 * record + c) = (c == 0 ? 1 : 0.6) * a * std::cos(phase) + noise * gaussian();
+      }
+    }
+    one += pole_support(motions, {{growth - 0.5, turning - 1}}).size() == 1;
+  }
+  EXPECT_EQ(one, runs);
+}
+
 TEST(PoleSupport, ErrorBarsOfOneModeInNoiseAreThoseOfTheNoise) {
   const std::complex<double> pole(-1, 20 * hertz);
   testing_support::Gaussian gaussian(73);

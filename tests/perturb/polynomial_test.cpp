@@ -77,6 +77,15 @@ TEST(Polynomials, WhatDoesNotFitIsRefused) {
   EXPECT_THROW(high * one, PolynomialTooLarge);
   EXPECT_THROW(Polynomial(1, {{{Polynomial::highest_power + 1}, 1}}), PolynomialTooLarge);
   EXPECT_THROW(Polynomial(1, {{{-1}, 1}}), PolynomialTooLarge);
+  // Powers of x times powers of y: no two products are the same monomial.
+  std::vector<Polynomial::Term> of_x, of_y;
+  for (int n = 0; n <= 1000; ++n) {
+    of_x.push_back({{n, 0}, 1});
+    of_y.push_back({{0, n}, 1});
+  }
+  const Polynomial x(2, of_x), y(2, of_y);
+  static_assert(1001 * 1001 > Polynomial::most_terms);
+  EXPECT_THROW(x * y, PolynomialTooLarge);
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "measure/data/import_files.hpp"
+
+namespace secular {
+
+struct RecordSummary {
+  std::size_t samples = 0;  ///< of a table: rows
+  double start_s = 0, duration_s = 0;
+  double lowest_hz = 0, highest_hz = 0;  ///< of a table
+};
+
+/// What an import made.
+struct ImportRun {
+  ImportedCampaign imported;
+  std::vector<RecordSummary> records;  ///< by record, or table
+};
+
+/// The job `import`: a campaign folder of files, or of tables of lines (kind `lines`). `replace`: what is in the
+/// folder goes. Throws InputError.
+ImportRun run_import(const ImportOptions& options, const std::filesystem::path& folder, bool replace);
+
+/// What `secular import --json` prints; `folder`: how it was named.
+std::string import_json(const ImportRun& run, const std::string& folder);
+
+}  // namespace secular

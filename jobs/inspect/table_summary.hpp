@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "measure/data/campaign.hpp"
+#include "measure/data/inspection.hpp"
+
+namespace secular {
+
+/// What a table of lines holds.
+struct TableSummary {
+  std::string file;
+  std::size_t rows = 0, repeats = 0;  ///< repeats: rows beyond the first with one label
+  double lowest_hz = 0, highest_hz = 0, lowest_level = 0, highest_level = 0;
+  std::vector<std::string> lines, without_sd;  ///< "tip", "tip@3"
+  std::vector<std::string> faults;
+};
+
+/// By table, in the order of the campaign.
+std::vector<TableSummary> tables_of(const Campaign& campaign);
+
+/// The command that imports a file that looks like a table of lines: one with a column of frequencies, or frequency
+/// response functions. Else empty.
+std::string table_import(const std::filesystem::path& path, const FileInspection& file);
+
+}  // namespace secular

@@ -1,0 +1,102 @@
+#include "jobs/predict/prediction.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "jobs/predict/measured_points.hpp"
+#include "jobs/predict/prediction_inputs.hpp"
+#include "jobs/predict/range_marks.hpp"
+#include "jobs/predict/simulated_sweep.hpp"
+#include "jobs/shared/model_loading.hpp"
+#include "numerics/in_parallel.hpp"
+
+namespace secular {
+namespace {
+
+constexpr int backbone_points = 200;
+
+void add_backbones(const PredictionRequest& request, const ResponseField& field, RangeMarks& range,
+                   Prediction& prediction) {
+  double largest = request.largest / 2;
+  if (largest == 0)
+    largest = amplitude_scale(field, prediction.parameters, 0, prediction.parameters(0),
+                              1.0001 * prediction.parameters(0));
+  for (std::size_t k = 0; k < field.active().size(); ++k)
+    prediction.backbones.emplace_back(std::string(prediction.model->coordinates[field.active()[k]]),
+                                      backbone(field, prediction.parameters, k, largest, backbone_points));
+  range.mark_backbones(field);
+}
+
+void add_diagram(const PredictionRequest& request, const ResponseField& field, const ResponseRequest& response,
+                 RangeMarks& range, const SweepProgress& progress, Prediction& prediction) {
+  prediction.diagram = response_diagram(field, response);
+  range.mark_diagram(response);
+  if (prediction.diagram.status != DiagramStatus::complete)
+    prediction.warnings.push_back("some responses may be missing: " + prediction.diagram.reason);
+  if (!request.measured.empty()) prediction.measured = measured_points(request, prediction, prediction.warnings);
+  std::vector<std::string> directions;
+  if (request.sweep_up) directions.emplace_back("up");
+  if (request.sweep_down) directions.emplace_back("down");
+  const std::size_t total = directions.size() * static_cast<std::size_t>(request.sweep_steps);
+  prediction.sweeps.resize(directions.size());
+  std::atomic<std::size_t> done{0};
+  in_parallel(directions.size(), request.threads, [&](std::size_t s) {
+    prediction.sweeps[s] = simulated_sweep(request, prediction, response, directions[s], [&] {
+      const std::size_t finished = ++done;
+      if (progress) progress(finished, total);
+    });
+  });
+  for (const PredictedSweep& swept : prediction.sweeps)
+    if (!std::all_of(swept.points.begin(), swept.points.end(), [](const SweepPoint& p) { return p.settled; }))
+      prediction.warnings.push_back("the simulated sweep " + swept.direction +
+                                    " has dwells that did not settle within their time");
+}
+
+void add_curves(const PredictionRequest& request, const ResponseField& field, const ResponseRequest& response,
+                RangeMarks& range, Prediction& prediction) {
+  CurveRequest curves;
+  curves.response = response;
+  curves.second = index_of(prediction, prediction.against->name);
+  curves.second_lower = prediction.against->from;
+  curves.second_upper = prediction.against->to;
+  curves.kind = request.curve == "saddle_node" ? CurveKind::saddle_node
+                : request.curve == "threshold" ? CurveKind::threshold
+                : request.curve == "peak"      ? CurveKind::peak
+                                               : CurveKind::hopf;
+  prediction.curves = response_curves(field, curves);
+  range.mark_curves(curves);
+  prediction.diagram.notes.push_back(field.description());
+  if (prediction.curves.empty())
+    prediction.warnings.push_back("no point of kind " + request.curve + " was found in these ranges");
+}
+
+}  // namespace
+
+Prediction predict(const PredictionRequest& request, const SweepProgress& progress) {
+  const ModelSource source(request.model, false, request.note);
+  Prediction prediction;
+  LoadedCase loaded = source.load_case(request.resonance);
+  prediction.model = std::move(loaded.model);
+  prediction.resonance = loaded.resonance;
+  read_prediction_inputs(request, prediction);
+  const ResponseField field(*prediction.model, *prediction.resonance);
+  RangeMarks range(source, prediction, request.threads);
+  if (!prediction.resonance->excited) {
+    add_backbones(request, field, range, prediction);
+    return prediction;
+  }
+  ResponseRequest response;
+  response.parameters = prediction.parameters;
+  response.parameter = index_of(prediction, prediction.vary->name);
+  response.lower = prediction.vary->from;
+  response.upper = prediction.vary->to;
+  response.largest = request.largest / 2;
+  if (prediction.against)
+    add_curves(request, field, response, range, prediction);
+  else
+    add_diagram(request, field, response, range, progress, prediction);
+  return prediction;
+}
+
+}  // namespace secular

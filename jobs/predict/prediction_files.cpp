@@ -1,0 +1,269 @@
+#include "jobs/predict/prediction_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "numerics/hertz.hpp"
+
+namespace secular {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json modes_json(const Prediction& prediction, const ModeAmplitudes& modes) {
+  Json result = Json::array();
+  for (std::size_t k = 0; k < modes.amplitude.size(); ++k) {
+    Json mode;
+    mode["mode"] = prediction.model->coordinates[k];
+    mode["amplitude"] = 2 * std::abs(modes.amplitude[k]);
+    mode["phase"] = modes.amplitude[k] == 0.0 ? 0.0 : std::arg(modes.amplitude[k]);
+    if (modes.frequency_shift[k] != 0) mode["frequency_shift"] = modes.frequency_shift[k];
+    result.push_back(std::move(mode));
+  }
+  return result;
+}
+
+void put_parameter(Json& entry, const std::string& name, double value, const std::string& unit) {
+  entry[name] = value;
+  if (unit == "Hz") entry[name + "_hz"] = value / two_pi;
+}
+
+Json point_json(const Prediction& prediction, const ResponsePoint& point) {
+  Json result;
+  put_parameter(result, prediction.vary->name, point.parameter, prediction.axis_unit);
+  result["modes"] = modes_json(prediction, point.modes);
+  result["stable"] = point.unstable == 0;
+  result["unstable_eigenvalues"] = point.unstable;
+  result["outside_expansion"] = point.outside;
+  result["eigenvalues"] = Json::array();
+  for (const std::complex<double>& value : point.eigenvalues)
+    result["eigenvalues"].push_back({value.real(), value.imag()});
+  return result;
+}
+
+Json end_json(const TraceEnd& end) {
+  return {{"status", name_of(end.status)}, {"reason", end.reason}};
+}
+
+Json curve_point_json(const Prediction& prediction, const ResponseCurvePoint& point) {
+  Json result;
+  put_parameter(result, prediction.vary->name, point.first, prediction.axis_unit);
+  put_parameter(result, prediction.against->name, point.second, prediction.against_unit);
+  result["modes"] = modes_json(prediction, point.modes);
+  if (point.frequency != 0) result["frequency"] = point.frequency;
+  result["outside_expansion"] = point.outside;
+  return result;
+}
+
+Json diagram_json(const Prediction& prediction) {
+  Json result = Json::array();
+  for (const ResponseBranch& branch : prediction.diagram.branches) {
+    Json entry;
+    entry["at_rest"] = branch.at_rest;
+    entry["closed"] = branch.closed;
+    entry["ends"] = {end_json(branch.first_end), end_json(branch.last_end)};
+    entry["special_points"] = Json::array();
+    for (const ResponseSpecial& special : branch.special) {
+      Json at;
+      at["kind"] = special_name(special);
+      at["bifurcation"] = secular::name_of(special.kind);
+      at["polished"] = special.polished;
+      if (special.frequency != 0) at["frequency"] = special.frequency;
+      at.update(point_json(prediction, special.at));
+      entry["special_points"].push_back(std::move(at));
+    }
+    entry["points"] = Json::array();
+    for (const ResponsePoint& point : branch.points) entry["points"].push_back(point_json(prediction, point));
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+Json sweeps_json(const Prediction& prediction) {
+  Json result = Json::array();
+  for (const PredictedSweep& sweep : prediction.sweeps) {
+    Json entry;
+    entry["direction"] = sweep.direction;
+    entry["jumps"] = Json::array();
+    for (const PredictedSweep::Jump& jump : sweep.jumps) {
+      Json at;
+      at["mode"] = prediction.model->coordinates[jump.mode];
+      put_parameter(at, "from", jump.from, prediction.axis_unit);
+      put_parameter(at, "to", jump.to, prediction.axis_unit);
+      at["amplitude_before"] = jump.amplitude_before;
+      at["amplitude_after"] = jump.amplitude_after;
+      entry["jumps"].push_back(std::move(at));
+    }
+    entry["points"] = Json::array();
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+      Json at;
+      put_parameter(at, prediction.vary->name, sweep.parameter[i], prediction.axis_unit);
+      at["amplitude"] = sweep.points[i].amplitude;
+      at["settled"] = sweep.points[i].settled;
+      entry["points"].push_back(std::move(at));
+    }
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+Json measured_json(const Prediction& prediction) {
+  Json result = Json::array();
+  for (const MeasuredPoint& point : prediction.measured) {
+    Json at;
+    at["record"] = point.record;
+    at["group"] = point.group;
+    put_parameter(at, prediction.vary->name, point.parameter, prediction.axis_unit);
+    at["amplitude"] = point.amplitude;
+    at["sd_between_ensembles"] = point.spread;
+    result.push_back(std::move(at));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string name_of(TraceStatus status) {
+  switch (status) {
+    case TraceStatus::parameter_bound:
+      return "parameter_bound";
+    case TraceStatus::state_bound:
+      return "state_bound";
+    case TraceStatus::closed_loop:
+      return "closed_loop";
+    case TraceStatus::special_end:
+      return "special_end";
+    case TraceStatus::not_persistent:
+      return "not_persistent";
+    case TraceStatus::point_limit:
+      return "point_limit";
+    case TraceStatus::step_too_small:
+      return "step_too_small";
+    case TraceStatus::no_start:
+      return "no_start";
+  }
+  return "";
+}
+
+std::string name_of(CurveKind kind) {
+  switch (kind) {
+    case CurveKind::saddle_node:
+      return "saddle_node";
+    case CurveKind::threshold:
+      return "threshold";
+    case CurveKind::hopf:
+      return "hopf";
+    case CurveKind::peak:
+      return "peak";
+  }
+  return "";
+}
+
+std::string special_name(const ResponseSpecial& special) {
+  return special.at.at_rest ? "threshold" : std::string(secular::name_of(special.kind));
+}
+
+std::string prediction_json(const Prediction& prediction) {
+  Json result;
+  result["schema"] = 1;
+  result["model"] = prediction.model->name;
+  result["case"] = prediction.resonance->name;
+  for (std::size_t p = 0; p < prediction.names.size(); ++p) {
+    const std::string& name = prediction.names[p];
+    const bool varied = (prediction.vary && prediction.vary->name == name) ||
+                        (prediction.against && prediction.against->name == name);
+    if (!varied) result["parameters"][name] = prediction.parameters(static_cast<Eigen::Index>(p));
+  }
+  for (const auto* varied : {&prediction.vary, &prediction.against})
+    if (*varied)
+      result["varied"].push_back({{"name", (*varied)->name}, {"from", (*varied)->from}, {"to", (*varied)->to}});
+  result["notes"] = prediction.diagram.notes;
+  result["warnings"] = prediction.warnings;
+  if (prediction.vary && !prediction.against) {
+    result["complete"] = prediction.diagram.status == DiagramStatus::complete;
+    result["reason"] = prediction.diagram.reason;
+    result["branches"] = diagram_json(prediction);
+  }
+  if (prediction.against) {
+    result["curves"] = Json::array();
+    for (const ResponseCurve& curve : prediction.curves) {
+      Json entry;
+      entry["kind"] = name_of(curve.kind);
+      entry["closed"] = curve.closed;
+      entry["ends"] = {end_json(curve.first_end), end_json(curve.last_end)};
+      entry["special_points"] = Json::array();
+      for (const auto& [kind, at] : curve.special) {
+        Json special = curve_point_json(prediction, at);
+        special["kind"] = kind == CodimensionTwo::cusp ? "cusp" : "bogdanov_takens";
+        entry["special_points"].push_back(std::move(special));
+      }
+      entry["points"] = Json::array();
+      for (const ResponseCurvePoint& at : curve.points) entry["points"].push_back(curve_point_json(prediction, at));
+      result["curves"].push_back(std::move(entry));
+    }
+  }
+  for (const auto& [mode, points] : prediction.backbones) {
+    Json entry;
+    entry["mode"] = mode;
+    for (const BackbonePoint& at : points)
+      entry["points"].push_back({{"amplitude", 2 * at.amplitude},
+                                 {"frequency", at.frequency},
+                                 {"frequency_hz", at.frequency / two_pi},
+                                 {"growth", at.growth},
+                                 {"outside_expansion", at.outside}});
+    result["backbones"].push_back(std::move(entry));
+  }
+  if (!prediction.sweeps.empty()) result["simulated_sweeps"] = sweeps_json(prediction);
+  if (!prediction.measured.empty()) result["measured"] = measured_json(prediction);
+  return result.dump(1) + "\n";
+}
+
+std::string prediction_csv(const Prediction& prediction) {
+  std::string text;
+  const auto modes_heading = [&] {
+    for (const std::string_view name : prediction.model->coordinates)
+      text += fmt::format(",amplitude_{0},phase_{0},frequency_shift_{0}", name);
+  };
+  const auto put_modes = [&](const ModeAmplitudes& modes) {
+    for (std::size_t k = 0; k < modes.amplitude.size(); ++k)
+      text += fmt::format(",{:.12g},{:.12g},{:.12g}", 2 * std::abs(modes.amplitude[k]),
+                          modes.amplitude[k] == 0.0 ? 0.0 : std::arg(modes.amplitude[k]), modes.frequency_shift[k]);
+  };
+  if (!prediction.backbones.empty()) {
+    text = "mode,amplitude,frequency_rad_s,growth_1_s,outside_expansion\n";
+    for (const auto& [mode, points] : prediction.backbones)
+      for (const BackbonePoint& at : points)
+        text += fmt::format("{},{:.12g},{:.12g},{:.12g},{}\n", mode, 2 * at.amplitude, at.frequency, at.growth,
+                            at.outside ? 1 : 0);
+  } else if (prediction.against) {
+    text = fmt::format("curve,kind,{},{}", prediction.vary->name, prediction.against->name);
+    modes_heading();
+    text += ",outside_expansion\n";
+    for (std::size_t c = 0; c < prediction.curves.size(); ++c)
+      for (const ResponseCurvePoint& at : prediction.curves[c].points) {
+        const ResponseCurve& curve = prediction.curves[c];
+        text += fmt::format("{},{},{:.12g},{:.12g}", c + 1, name_of(curve.kind), at.first, at.second);
+        put_modes(at.modes);
+        text += at.outside ? ",1\n" : ",0\n";
+      }
+  } else {
+    text = fmt::format("branch,kind,{},stable", prediction.vary->name);
+    modes_heading();
+    text += ",outside_expansion\n";
+    const auto put = [&](std::size_t b, const std::string& kind, const ResponsePoint& at) {
+      text += fmt::format("{},{},{:.12g},{}", b + 1, kind, at.parameter, at.unstable == 0 ? 1 : 0);
+      put_modes(at.modes);
+      text += at.outside ? ",1\n" : ",0\n";
+    };
+    for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
+      const ResponseBranch& branch = prediction.diagram.branches[b];
+      for (const ResponsePoint& at : branch.points) put(b, "point", at);
+      for (const ResponseSpecial& special : branch.special) put(b, special_name(special), special.at);
+    }
+  }
+  return text;
+}
+
+}  // namespace secular

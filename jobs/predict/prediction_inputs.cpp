@@ -1,0 +1,155 @@
+#include "jobs/predict/prediction_inputs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "input/input_error.hpp"
+#include "jobs/shared/number_file.hpp"
+#include "jobs/shared/parameter_file.hpp"
+#include "numerics/hertz.hpp"
+
+namespace secular {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+bool is_excitation_frequency(const CompiledModel& model, const std::string& name) {
+  return std::find(model.excitation_frequencies.begin(), model.excitation_frequencies.end(), name) !=
+         model.excitation_frequencies.end();
+}
+
+void check_combination(const PredictionRequest& request, const Prediction& prediction) {
+  const bool excited = prediction.resonance->excited;
+  const std::string name(prediction.resonance->name);
+  if (!request.measured.empty() && (!excited || request.against))
+    throw InputError("--measured " + request.measured, "", "there is no response to draw it on",
+                     "measured dwells belong to a response over --vary of a case with excitation");
+  if (!excited && (request.vary || request.against || request.sweep_up || request.sweep_down))
+    throw InputError(
+        "--vary, --curve, --sweep", "", "case " + name + " is without excitation",
+        "leave them out: its backbone is computed; --largest sets how far. Limit cycles of a model that "
+        "excites itself are found over a parameter in a case that does not say excitation = false");
+  if (!excited) return;
+  if (!request.vary)
+    throw InputError("--vary", "", "is missing",
+                     "name a parameter and its range, for example --vary Omega 150 160");
+  if (request.curve.empty() != !request.against)
+    throw InputError("--curve, --against", "", "one is given without the other",
+                     "for example --vary Omega 150 160 --against F 5 30 --curve saddle_node");
+  if (request.against && request.against->name == request.vary->name)
+    throw InputError("--against " + request.against->name, "", "is the parameter of --vary", "name another one");
+  if (request.against && (request.sweep_up || request.sweep_down))
+    throw InputError("--sweep", "", "goes over one parameter", "leave out --curve and --against");
+}
+
+// To rad/s, of what a request gives in Hz.
+double factor_of(const std::string& name, const PredictionRequest& request, const Prediction& prediction) {
+  return request.hz && is_excitation_frequency(*prediction.model, name) ? two_pi : 1;
+}
+
+VariedParameter scaled(const VariedParameter& parameter, const char* option, const PredictionRequest& request,
+                       const Prediction& prediction) {
+  index_of(prediction, parameter.name);
+  if (!std::isfinite(parameter.from) || !std::isfinite(parameter.to) || !(parameter.from < parameter.to))
+    throw InputError(fmt::format("{} {} {} {}", option, parameter.name, parameter.from, parameter.to), "",
+                     "is an empty range", "FROM must be below TO");
+  const double factor = factor_of(parameter.name, request, prediction);
+  return {parameter.name, factor * parameter.from, factor * parameter.to};
+}
+
+// Excitation frequencies are printed in Hz.
+std::pair<double, std::string> printed(const std::string& name, const Prediction& prediction) {
+  if (is_excitation_frequency(*prediction.model, name)) return {two_pi, "Hz"};
+  return {1.0, ""};
+}
+
+void take_vary(const PredictionRequest& request, Prediction& prediction) {
+  if (request.vary) {
+    prediction.vary = scaled(*request.vary, "--vary", request, prediction);
+    std::tie(prediction.axis, prediction.axis_unit) = printed(prediction.vary->name, prediction);
+  }
+  if (request.against) {
+    prediction.against = scaled(*request.against, "--against", request, prediction);
+    std::tie(prediction.against_axis, prediction.against_unit) = printed(prediction.against->name, prediction);
+  }
+}
+
+// Steady motions of the case are the same whatever else has the identified lumps; harmonics and sweeps of the
+// full equations are those of one such set.
+template <typename Take>
+void take_representative(const GivenParameters& given, const PredictionRequest& request, Prediction& prediction,
+                         const Take& take) {
+  std::vector<std::string> open;
+  for (const auto& [name, value] : given.representative) {
+    if (request.at.contains(name)) continue;
+    take(name, value);
+    open.push_back(name);
+  }
+  if (!open.empty())
+    prediction.warnings.push_back(
+        fmt::format("{} does not identify {}: values that go with its lumps are taken. Amplitudes, frequencies and "
+                    "stability do not depend on the choice; harmonics, sweeps and other cases do",
+                    request.parameters, fmt::join(open, ", ")));
+}
+
+void read_parameters(const PredictionRequest& request, Prediction& prediction) {
+  const CompiledModel& model = *prediction.model;
+  const GivenParameters given = request.given ? *request.given : read_parameter_file(request.parameters);
+  const auto count = static_cast<Index>(prediction.names.size());
+  prediction.parameters = VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t s = 0; s < model.nominal.size(); ++s)
+    prediction.parameters(static_cast<Index>(s)) = model.nominal[s];
+  if (std::string unused = unused_numbers(request.parameters, given.values, model); !unused.empty())
+    prediction.warnings.push_back(std::move(unused));
+  const auto take = [&](const std::string& name, double value) {
+    const auto found = std::find(prediction.names.begin(), prediction.names.end(), name);
+    if (found != prediction.names.end()) prediction.parameters(found - prediction.names.begin()) = value;
+  };
+  for (const auto& [name, value] : given.values) take(name, value);
+  if (given.identified_cases.contains(std::string(prediction.resonance->name)))
+    take_representative(given, request, prediction, take);
+  for (const auto& [name, value] : request.at)
+    prediction.parameters(index_of(prediction, name)) = factor_of(name, request, prediction) * value;
+  for (const auto* varied : {&prediction.vary, &prediction.against})
+    if (*varied)
+      prediction.parameters(index_of(prediction, (*varied)->name)) = 0.5 * ((*varied)->from + (*varied)->to);
+  if (!prediction.resonance->excited)
+    for (Index p = static_cast<Index>(model.symbols.size()); p < count; ++p) prediction.parameters(p) = 0;
+  std::string missing;
+  for (Index p = 0; p < count; ++p)
+    if (!std::isfinite(prediction.parameters(p)))
+      missing += (missing.empty() ? "" : ", ") + prediction.names[static_cast<std::size_t>(p)];
+  if (!missing.empty())
+    throw InputError(request.parameters, "", "gives no value for " + missing,
+                     "add them to the file, or give them with --at NAME=VALUE");
+  for (std::size_t k = 0; k < model.modes(); ++k)
+    if (!(prediction.parameters(static_cast<Index>(k)) > 0))
+      throw InputError(request.parameters, "key " + prediction.names[k], "is not positive",
+                       "a natural frequency in rad/s was expected");
+}
+
+}  // namespace
+
+Index index_of(const Prediction& prediction, const std::string& name) {
+  const auto found = std::find(prediction.names.begin(), prediction.names.end(), name);
+  if (found == prediction.names.end())
+    throw InputError(name, "", "is no parameter of model " + std::string(prediction.model->name),
+                     fmt::format("its parameters are {}", fmt::join(prediction.names, ", ")));
+  return found - prediction.names.begin();
+}
+
+void read_prediction_inputs(const PredictionRequest& request, Prediction& prediction) {
+  prediction.names = ResponseField::parameter_names(*prediction.model);
+  check_combination(request, prediction);
+  take_vary(request, prediction);
+  read_parameters(request, prediction);
+}
+
+}  // namespace secular

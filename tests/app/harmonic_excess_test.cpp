@@ -1,0 +1,100 @@
+// Harmonics that neither the model nor the excitation makes may come from a sensor whose amplitudes are wrong, too.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "generated/registry.hpp"
+#include "jobs/identify/identification.hpp"
+#include "motion/simulate/experiment.hpp"
+#include "tests/identification/virtual_campaign.hpp"
+#include "tests/process_folder.hpp"
+
+namespace secular {
+namespace {
+
+using testing_support::value_of;
+using testing_support::warns;
+
+constexpr double strength_told = 1, hardening_told = 2.5e8;
+
+// A hardening oscillator of 20 Hz on a moving base, twelve dwells at two levels.
+SimulatedCampaign dwells(const std::string& shaker, std::uint64_t seed) {
+  std::string text = R"(schema = 1
+name = "dwells"
+model = "duffing"
+sample_rate_hz = 256.0
+[parameters]
+omega0 = 125.66370614359172
+mu = 1.0
+a2 = 0.0
+a3 = 2.5e8
+e = 1.0
+[excitation]
+name = "base"
+quantity = "acceleration"
+unit = "m/s^2"
+noise_sd = 0.01
+[[response]]
+name = "tip"
+quantity = "acceleration"
+unit = "m/s^2"
+noise_sd = 0.02
+)" + shaker;
+  text += R"([[dwell]]
+frequencies_hz = [19.7, 19.85, 20.0, 20.1, 20.2, 20.35]
+amplitudes = [0.2, 0.4]
+settle_s = 12.0
+ensembles = 4
+ensemble_s = 2.0
+)";
+  const auto file = testing_support::process_folder() / "harmonic_excess.toml";
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+  const CompiledModel& model = *generated::find_compiled_model("duffing");
+  return run_virtual_test(read_experiment(file, model), model, seed, 2);
+}
+
+Identification identified(SimulatedCampaign made, const std::function<double(double)>& sensor) {
+  for (Record& record : made.samples)
+    std::ranges::transform(record.channels[1], record.channels[1].begin(), sensor);
+  IdentificationRequest request;
+  request.model = "duffing";
+  request.resonances = {"primary"};
+  return identify_by_modulation(request, made.campaign, [&](std::size_t r) { return made.samples[r]; });
+}
+
+bool holds(const EstimatedValue& value, double truth) {
+  return std::abs(*value.value - truth) < 3 * value.sd;
+}
+
+// As an amplifier that saturates softly: 3 % of third harmonic at the largest motion, and a gain that is 9 % low
+// there.
+TEST(HarmonicExcess, OfASensorIsAllowedForInWhatAmplitudesTell) {
+  const SimulatedCampaign made = dwells("", 11);
+  double largest = 0;
+  for (const Record& record : made.samples)
+    for (const double y : record.channels[1]) largest = std::max(largest, std::abs(y));
+  const Identification id = identified(made, [&](double y) { return y * (1 - 0.12 * std::pow(y / largest, 2)); });
+  EXPECT_TRUE(warns(id.estimate.warnings, "Where a sensor makes the rest"));
+  EXPECT_TRUE(holds(value_of(id.estimate, "e"), strength_told)) << *value_of(id.estimate, "e").value;
+  EXPECT_TRUE(holds(value_of(id.estimate, "a3"), hardening_told)) << *value_of(id.estimate, "a3").value;
+  EXPECT_TRUE(value_of(id.estimate, "e").doubtful);
+}
+
+// A shaker's harmonics are measured, and what they make of the response is no excess.
+TEST(HarmonicExcess, OfTheShakerIsNone) {
+  for (const char* shaker : {"", "[shaker]\nharmonics = [0.05, 0.05]\n"}) {
+    const Identification id = identified(dwells(shaker, 12), [](double y) { return y; });
+    EXPECT_FALSE(warns(id.estimate.warnings, "Where a sensor makes the rest")) << shaker;
+    EXPECT_LT(value_of(id.estimate, "e").sd, 0.002) << shaker;
+  }
+}
+
+}  // namespace
+}  // namespace secular
