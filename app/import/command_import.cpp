@@ -79,7 +79,8 @@ void add_import_command(CLI::App* command, Action& chosen) {
       ->expected(1)
       ->take_all();
   command->add_option("--time", import.time,
-                      "variable that holds the time (default: t), in seconds where neither the file nor NAME:UNIT "
+                      "variable that holds the time (default: the one called t or time), in seconds where neither "
+                      "the file nor NAME:UNIT "
                       "says ms, us, min, ...");
   command->add_option("--sample-rate", import.sample_rate_hz, "samples a second, where no variable holds time");
   command->add_option("--name", import.name, "name of the campaign (default: of the first file)");
@@ -124,7 +125,7 @@ void add_import_command(CLI::App* command, Action& chosen) {
       const ImportRun run = run_import(options->import, options->output.path(), options->output.replaces());
       print_warnings(run.imported.warnings);
       if (options->json)
-        fmt::print("{}", import_json(run, options->import, options->output.path()));
+        fmt::print("{}", import_json(run, options->output.path()));
       else
         print_text(run, options->output.path());
       return 0;

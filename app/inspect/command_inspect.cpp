@@ -3,15 +3,20 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
 #include "app/shared/notices.hpp"
+#include "app/shared/output_target.hpp"
 #include "app/shared/selection_options.hpp"
+#include "jobs/inspect/inspection_report.hpp"
 #include "jobs/inspect/inspection_run.hpp"
+#include "jobs/inspect/proposed_import.hpp"
 #include "jobs/inspect/table_summary.hpp"
 
 namespace secular::app {
@@ -68,7 +73,7 @@ void print_faults(const std::vector<std::string>& faults) {
     return;
   }
   fmt::print("\n{} found\n", count(faults.size(), "fault"));
-  for (const std::string& fault : faults) fmt::print("  {}\n", fault);
+  for (const std::string& fault : faults) fmt::print("  {}\n", visible(fault));
 }
 
 void print_channels(const Campaign& campaign) {
@@ -126,8 +131,9 @@ void print_levels(const Campaign& campaign, const std::vector<RecordInspection>&
 }
 
 void print_campaign(const std::string& folder, const InspectedCampaign& found) {
-  const auto& [campaign, records, disturbances] = found;
+  const auto& [campaign, records, disturbances, pictures] = found;
   fmt::print("campaign '{}' in {}\n", visible(campaign.name), folder);
+  fmt::print("{}\n", visible(usable_sentence(found)));
   if (campaign.sample_rate_hz > 0) fmt::print("sample rate {} Hz\n", campaign.sample_rate_hz);
   print_channels(campaign);
   print_tables(campaign);
@@ -149,6 +155,14 @@ void print_campaign(const std::string& folder, const InspectedCampaign& found) {
     for (const std::string& fault : table.faults) faults.push_back(table.file + ": " + fault);
   print_faults(faults);
   print_disturbances(disturbances, campaign, records.size());
+  const auto any = [&, &all = campaign.records](std::initializer_list<RecordKind> kinds) {
+    return std::any_of(all.begin(), all.end(), [&](const RecordEntry& entry) {
+      return std::find(kinds.begin(), kinds.end(), entry.kind) != kinds.end();
+    });
+  };
+  fmt::print("\nNext: secular identify {} --model MODEL -o OUT\n", folder);
+  if (any({RecordKind::free_decay, RecordKind::impact}))
+    fmt::print("      secular modal {} -o OUT (frequencies, damping and shapes, without a model)\n", folder);
 }
 
 // "m/s^2", "m/s^2 (from g)", "EU ?" for a unit that is not known.
@@ -159,7 +173,7 @@ std::string shown_unit(const VariableInspection& variable) {
 }
 
 void print_file(const std::string& path, const InspectedFile& found) {
-  const auto& [file, campaign, disturbances] = found;
+  const auto& [file, campaign, disturbances, pictures] = found;
   fmt::print("{}: {} with {}\n", path, file.format, count(file.variables.size(), "numeric variable"));
   if (file.segments > 1)
     fmt::print("{} segments, each of which `secular import` makes a record: this is the first\n", file.segments);
@@ -185,22 +199,15 @@ void print_file(const std::string& path, const InspectedFile& found) {
   }
   fmt::print("\n{}{}", aligned(rows, 4), level_note);
   if (file.partial) fmt::print("{}Values are{}\n", file.estimated ? "Lengths are estimated. " : "", partial_note);
-  for (const std::string& variable : unusable) fmt::print("no channel: {}\n", variable);
+  for (const std::string& variable : unusable) fmt::print("no channel: {}\n", visible(variable));
   print_faults(faults);
   print_disturbances(disturbances, campaign, 1);
-  const bool stated = std::any_of(file.variables.begin(), file.variables.end(),
-                                  [&, &file = file](const VariableInspection& variable) {
-                                    return variable.name != file.time && !variable.unit.empty();
-                                  });
   if (const std::string table = table_import(path, file); !table.empty()) {
-    fmt::print("\nTo use it as a table of lines: {}\n", table);
+    fmt::print("\nTo use it as a table of lines: {}\n", visible(table));
     if (file.time.empty()) return;
   }
-  const bool plain = file.time.find_first_of(" ()[]{}") == std::string::npos;
-  const char* const rest = stated ? "" : file.format == "WAV" ? ":QUANTITY:UNIT:FACTOR" : ":QUANTITY:UNIT";
-  fmt::print("\nTo use it: secular import {} -o CAMPAIGN --kind KIND --channel NAME:ROLE{}{}\n", path, rest,
-             file.time.empty() ? " --sample-rate HZ"
-                               : (plain ? " --time " + file.time : fmt::format(" --time '{}'", file.time)));
+  if (const std::string command = proposed_import(path, file); !command.empty())
+    fmt::print("\nTo use it: {}\n", visible(command));
 }
 
 }  // namespace
@@ -209,6 +216,7 @@ void add_inspect_command(CLI::App* command, Action& chosen) {
   struct Options {
     InspectionRequest request;
     SelectionOptions selection;
+    OutputFolder output{{"inspection.json", "report.html"}};
     bool json = false;
   };
   auto options = std::make_shared<Options>();
@@ -217,23 +225,34 @@ void add_inspect_command(CLI::App* command, Action& chosen) {
                    "campaign folder, or CSV, MAT, HDF5, UFF 58, LVM or WAV file")
       ->required();
   options->selection.add_to(*command, {.band = false});
+  options->output.add_to(*command, "folder for report.html and inspection.json (default: none)", false);
   command->add_flag("--whole", options->request.whole, "read everything, also where data are larger than 64 MB");
   command->add_flag("--json", options->json, "the same as JSON");
   command->footer(
       "Faults are for you to judge: offset, clipping, constant or coarse channels, missing samples, uneven time.\n"
       "Of more than 64 MB the first samples of every record are judged, at once; --whole reads all, a record at a "
       "time.\n"
-      "Example: secular inspect out/test");
-  command->callback([options, &chosen] {
-    chosen = [options] {
-      options->request.window = options->selection.window();
-      const Inspection found = inspect(options->request);
+      "Example: secular inspect out/test -o out/inspection");
+  command->callback([options, command, &chosen] {
+    chosen = [options, command] {
+      InspectionRequest& request = options->request;
+      request.window = options->selection.window();
+      request.pictures = !options->output.path().empty();
+      if (request.pictures)
+        options->output.check({{"what is inspected", campaign_or_file(request.path).string(), true}});
+      const Inspection found = inspect(request);
+      const std::string json = inspection_json(found);
+      if (request.pictures)
+        options->output.write(
+            {{"inspection.json", json}, {"report.html", inspection_report(found, command_line_of(*command))}});
       if (options->json)
-        fmt::print("{}", inspection_json(found));
+        fmt::print("{}", json);
       else if (found.campaign)
         print_campaign(found.path, *found.campaign);
       else
         print_file(found.path, *found.file);
+      if (request.pictures && !options->json)
+        fmt::print("written: {0}/inspection.json, {0}/report.html\n", options->output.path());
       return 0;
     };
   });

@@ -65,8 +65,8 @@ void check_campaign_made(const std::string& output) {
 
 }  // namespace
 
-void OutputFolder::add_to(CLI::App& command, const std::string& description) {
-  command.add_option("-o,--output", path_, description)->required();
+void OutputFolder::add_to(CLI::App& command, const std::string& description, bool required) {
+  command.add_option("-o,--output", path_, description)->required(required);
   command.add_flag("--force", force_, force_description);
 }
 

@@ -25,7 +25,7 @@ class OutputFolder {
   /// `mark`: what all of them have in their first line, where their names do not tell.
   explicit OutputFolder(std::vector<std::string> patterns, std::string mark = {})
       : patterns_(std::move(patterns)), mark_(std::move(mark)) {}
-  void add_to(CLI::App& command, const std::string& description);
+  void add_to(CLI::App& command, const std::string& description, bool required = true);
   const std::string& path() const { return path_; }
   bool replaces() const { return force_; }
 

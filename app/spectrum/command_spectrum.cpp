@@ -35,7 +35,10 @@ void print_table(const RecordSpectrum& record) {
                "amplitude", "sd");
     fmt::print("{}{:>9} {:>7}\n", rates ? fmt::format(" {:>10}", "rate 1/s") : "", "gamma^2", "dB");
     for (const MethodStatistics& method : record.survey.tables[c]) {
-      if (method.terms.empty()) fmt::print("  {:<20} no finite decomposition of this order\n", method.name);
+      if (!record.are_tones(c, method)) {
+        fmt::print("  {:<20} {}\n", method.name, no_tones_text(method));
+        continue;
+      }
       for (std::size_t i = 0; i < method.terms.size(); ++i) {
         const TermStatistics& term = method.terms[i];
         const std::string name = i > 0 ? "" : method.name;

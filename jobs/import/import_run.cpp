@@ -45,7 +45,7 @@ ImportRun run_import(const ImportOptions& options, const std::filesystem::path& 
   return run;
 }
 
-std::string import_json(const ImportRun& run, const ImportOptions& options, const std::string& folder) {
+std::string import_json(const ImportRun& run, const std::string& folder) {
   const auto& [imported, records] = run;
   const Campaign& campaign = imported.campaign;
   nlohmann::ordered_json summary = {{"campaign", folder}, {"name", campaign.name}};
@@ -68,7 +68,7 @@ std::string import_json(const ImportRun& run, const ImportOptions& options, cons
     }
     summary["records"].push_back({{"file", campaign.records[r].file},
                                   {"kind", to_string(campaign.records[r].kind)},
-                                  {"from", options.files[r].string()},
+                                  {"from", imported.sources[r].string()},
                                   {"samples", records[r].samples},
                                   {"start_s", records[r].start_s},
                                   {"duration_s", records[r].duration_s}});

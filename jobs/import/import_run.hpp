@@ -25,6 +25,6 @@ struct ImportRun {
 ImportRun run_import(const ImportOptions& options, const std::filesystem::path& folder, bool replace);
 
 /// What `secular import --json` prints; `folder`: how it was named.
-std::string import_json(const ImportRun& run, const ImportOptions& options, const std::string& folder);
+std::string import_json(const ImportRun& run, const std::string& folder);
 
 }  // namespace secular

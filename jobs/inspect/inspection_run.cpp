@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "jobs/inspect/inspection_report.hpp"
 #include "jobs/inspect/table_summary.hpp"
 #include "jobs/shared/disturbance_output.hpp"
 #include "jobs/shared/json_numbers.hpp"
@@ -23,21 +24,25 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// Adds what a record holds beside the motion.
-RecordLook disturbances_into(std::vector<Disturbance>& all, const Campaign& campaign) {
-  return [&](std::size_t index, const Record& record) {
-    const std::vector<Disturbance> found = find_disturbances(campaign, index, record);
-    all.insert(all.end(), found.begin(), found.end());
-  };
+InspectionLimit limit_of(const InspectionRequest& request) {
+  InspectionLimit limit;
+  limit.span = span_of(request.window);
+  if (request.whole) limit.whole_bytes = std::numeric_limits<std::size_t>::max();
+  return limit;
 }
 
-InspectedCampaign inspected_campaign(const std::filesystem::path& folder, Campaign campaign, const Window& window,
-                                     const InspectionLimit& limit) {
-  InspectedCampaign result{std::move(campaign), {}, {}};
+InspectedCampaign inspected_campaign(const fs::path& folder, Campaign campaign, const InspectionRequest& request) {
+  const Window& window = request.window;
+  const InspectionLimit limit = limit_of(request);
+  InspectedCampaign result{std::move(campaign), {}, {}, {}};
   require_match(result.campaign, window);
   std::erase_if(result.campaign.records,
                 [&](const RecordEntry& entry) { return !matches_record(window.records, entry.file); });
-  result.records = inspect_records(result.campaign, limit, disturbances_into(result.disturbances, result.campaign));
+  result.records = inspect_records(result.campaign, limit, [&](std::size_t index, const Record& record) {
+    const std::vector<Disturbance> found = find_disturbances(result.campaign, index, record);
+    result.disturbances.insert(result.disturbances.end(), found.begin(), found.end());
+    if (request.pictures) result.pictures.push_back(record_pictures(result.campaign, index, record, found));
+  });
   const bool none = std::none_of(result.records.begin(), result.records.end(),
                                  [](const RecordInspection& record) { return record.judged > 0 || !record.axis; });
   if (none && !limit.span.all())
@@ -46,11 +51,12 @@ InspectedCampaign inspected_campaign(const std::filesystem::path& folder, Campai
   return result;
 }
 
-InspectedFile inspected_file(const std::filesystem::path& path, const InspectionLimit& limit) {
+InspectedFile inspected_file(const fs::path& path, const InspectionRequest& request) {
   InspectedFile result;
-  result.file = inspect_file(path, limit, [&](const Campaign& campaign, const Record& record) {
+  result.file = inspect_file(path, limit_of(request), [&](const Campaign& campaign, const Record& record) {
     result.campaign = campaign;
     result.disturbances = find_disturbances(campaign, 0, record);
+    if (request.pictures) result.pictures.push_back(record_pictures(campaign, 0, record, result.disturbances));
   });
   return result;
 }
@@ -82,7 +88,7 @@ void put_axis(Json& object, const std::optional<TimeAxis>& axis, std::size_t sam
 }
 
 Json campaign_json(const std::string& path, const InspectedCampaign& found) {
-  const auto& [campaign, records, disturbances] = found;
+  const auto& [campaign, records, disturbances, pictures] = found;
   Json root = {{"campaign", path}, {"name", campaign.name}};
   if (campaign.sample_rate_hz > 0) root["sample_rate_hz"] = campaign.sample_rate_hz;
   root["channels"] = Json::array();
@@ -124,6 +130,7 @@ Json campaign_json(const std::string& path, const InspectedCampaign& found) {
     if (entry.excitation_frequency_hz) record["excitation_frequency_hz"] = *entry.excitation_frequency_hz;
     if (entry.excitation_amplitude) record["excitation_amplitude"] = *entry.excitation_amplitude;
     if (!entry.group.empty()) record["group"] = entry.group;
+    record["usable"] = record_obstacle(found, r).empty();
     record["faults"] = faults_json(records[r].faults);
     faults += records[r].faults.size();
     record["channels"] = Json::array();
@@ -141,7 +148,7 @@ Json campaign_json(const std::string& path, const InspectedCampaign& found) {
 }
 
 Json file_json(const std::string& path, const InspectedFile& found) {
-  const auto& [file, campaign, disturbances] = found;
+  const auto& [file, campaign, disturbances, pictures] = found;
   Json root = {{"file", path}, {"format", file.format}, {"segments", file.segments}};
   if (file.partial) root["judged"] = "the first samples";
   if (file.estimated) root["lengths_estimated"] = true;
@@ -178,28 +185,30 @@ double recorded_s(const TimeAxis& axis, std::size_t samples) {
   return static_cast<double>(samples) / axis.sample_rate_hz;
 }
 
+fs::path campaign_or_file(const std::string& path) {
+  const fs::path given = path;
+  if (given.filename() != "campaign.toml") return given;
+  return given.has_parent_path() ? given.parent_path() : ".";
+}
+
 Inspection inspect(const InspectionRequest& request) {
   Inspection found;
-  InspectionLimit limit;
-  limit.span = span_of(request.window);
-  if (request.whole) limit.whole_bytes = std::numeric_limits<std::size_t>::max();
-  fs::path path = request.path;
   if (request.campaign) {
     found.path = request.path;
-    found.campaign = inspected_campaign(path, *request.campaign, request.window, limit);
+    found.campaign = inspected_campaign(request.path, *request.campaign, request);
     return found;
   }
+  const fs::path path = campaign_or_file(request.path);
   std::error_code ignored;
-  if (path.filename() == "campaign.toml") path = path.has_parent_path() ? path.parent_path() : ".";
   if (!fs::exists(path, ignored))
     throw InputError(request.path, "", "does not exist",
                      fmt::format("a campaign folder or a {} file was expected", data_formats));
   found.path = path.string();
   if (fs::is_directory(path, ignored)) {
-    found.campaign = inspected_campaign(path, read_campaign(path), request.window, limit);
+    found.campaign = inspected_campaign(path, read_campaign(path), request);
   } else {
     require_any_record(request.path, request.window);
-    found.file = inspected_file(path, limit);
+    found.file = inspected_file(path, request);
   }
   return found;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "jobs/inspect/record_pictures.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/inspection.hpp"
 #include "measure/disturbances/disturbance.hpp"
@@ -17,6 +19,7 @@ struct InspectionRequest {
   std::optional<Campaign> campaign;  ///< in place of a folder
   Window window;                     ///< its records and its times; a band has no meaning
   bool whole = false;                ///< read everything, however large
+  bool pictures = false;             ///< for inspection_report()
 };
 
 /// A campaign with the records that were asked for, and what is in them.
@@ -24,6 +27,7 @@ struct InspectedCampaign {
   Campaign campaign;
   std::vector<RecordInspection> records;
   std::vector<Disturbance> disturbances;
+  std::vector<RecordPictures> pictures;  ///< of records with samples, where they are asked for
 };
 
 /// A file, and what is in it beside a motion that nothing is said of.
@@ -31,6 +35,7 @@ struct InspectedFile {
   FileInspection file;
   Campaign campaign;  ///< of this one record
   std::vector<Disturbance> disturbances;
+  std::vector<RecordPictures> pictures;
 };
 
 /// One of the two.
@@ -39,6 +44,9 @@ struct Inspection {
   std::optional<InspectedCampaign> campaign;
   std::optional<InspectedFile> file;
 };
+
+/// The campaign's folder, where a path is that of its campaign.toml; else the path itself.
+std::filesystem::path campaign_or_file(const std::string& path);
 
 /// The job `inspect`. Throws InputError.
 Inspection inspect(const InspectionRequest& request);

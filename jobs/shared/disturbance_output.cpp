@@ -84,6 +84,7 @@ Figure history_of(const std::vector<double>& samples, const Record& record, cons
     panel.series.push_back(
         farthest_from_zero(samples, record.start_s, step, from, std::min(samples.size(), to + 1)));
     panel.series.back().name = "disturbance";
+    panel.series.back().style = SeriesStyle::line_and_points;  // one sample is no line
     panel.series.back().role = SeriesRole::model;
   }
   figure.panels.push_back(std::move(panel));

@@ -82,7 +82,6 @@ Figure history_figure(const RecordSpectrum& record) {
   const Eigen::VectorXd time =
       record.start_s +
       Eigen::VectorXd::LinSpaced(shown, 0, static_cast<double>(shown - 1)).array() / record.sample_rate_hz;
-  const Eigen::VectorXd model = record.survey.decomposition.reconstruct(shown).col(0);
   if (record.excitation.size() >= shown)
     figure.panels.push_back(
         {"",
@@ -93,6 +92,8 @@ Figure history_figure(const RecordSpectrum& record) {
         {"",
          {record.names[static_cast<std::size_t>(c)], record.units[static_cast<std::size_t>(c)], false, {}},
          {extremes_of_stretches(time, record.channels.col(c).head(shown), "", SeriesRole::data)}});
+  if (!record.tones_count()) return figure;
+  const Eigen::VectorXd model = record.survey.decomposition.reconstruct(shown).col(0);
   Series left = extremes_of_stretches(time, record.channels.col(0).head(shown) - model, "", SeriesRole::reference);
   figure.panels.push_back(
       {"", {record.names.front() + " minus its decomposition", record.units.front(), false, {}}, {left}});
@@ -152,10 +153,24 @@ Axis level_axis(const std::string& label, const std::string& unit, const Eigen::
   return {label, unit, true, std::pair(bottom, 2 * top)};
 }
 
+// Decades where nine tenths of the power lie below a twentieth of the highest frequency.
+Axis frequency_axis(const AmplitudeSpectrum& spectrum, double sample_rate_hz) {
+  const double highest = 0.5 * sample_rate_hz;
+  double low = 0, all = 0;
+  for (Index k = 1; k < spectrum.frequency_hz.size(); ++k) {
+    const double power = spectrum.amplitude.row(k).squaredNorm();
+    all += power;
+    if (spectrum.frequency_hz(k) < highest / 20) low += power;
+  }
+  if (spectrum.frequency_hz.size() < 3 || !(low > 0.9 * all))
+    return {"Frequency", "Hz", false, std::pair(0.0, highest)};
+  return {"Frequency", "Hz", true, std::pair(spectrum.frequency_hz(1), highest)};
+}
+
 Figure spectrum_figure(const RecordSpectrum& record) {
   Figure figure;
   figure.title = "Amplitude spectra";
-  figure.x = {"Frequency", "Hz", false, std::pair(0.0, 0.5 * record.sample_rate_hz)};
+  figure.x = frequency_axis(record.spectrum, record.sample_rate_hz);
   if (record.excitation.size() > 0)
     figure.panels.push_back(
         {"",
@@ -169,7 +184,7 @@ Figure spectrum_figure(const RecordSpectrum& record) {
   tones.style = SeriesStyle::points;
   tones.role = SeriesRole::model;
   const Decomposition& d = record.survey.decomposition;
-  for (std::size_t i = 0; i < d.poles.size(); ++i) {
+  for (std::size_t i = 0; i < d.poles.size() && record.tones_count(); ++i) {
     if (d.poles[i].family != PoleFamily::circular) continue;
     double square = 0;
     for (Index c = 0; c < d.amplitudes.cols(); ++c)
@@ -224,10 +239,28 @@ Figure relation_figure(const RecordSpectrum& record, std::size_t channel) {
   return figure;
 }
 
+// What delays, and any filter, make of the excitation.
+std::string relation_sentence(const RecordSpectrum& record, std::size_t channel) {
+  const LinearRelation& relation = record.relations[channel];
+  std::string text =
+      fmt::format("{}: {} delays of {} explain {} of its variance by a linear relation", record.names[channel],
+                  relation.delays, record.excitation_name, report::format_percent(relation.explained, 1));
+  if (!relation.coherent) return text + ".";
+  const double seconds = static_cast<double>(relation.coherent->window) / record.sample_rate_hz;
+  text += fmt::format("; a linear filter of any form explains at least {} (coherence in windows of {} s)",
+                      report::format_percent(relation.coherent->share, 1), report::format_number(seconds, 3));
+  if (std::max(relation.coherent->share, relation.explained) < 0.1)
+    text +=
+        ": ARMA and frequency responses say little here. Its motion is at other frequencies than the excitation, "
+        "or noise hides it";
+  return text + ".";
+}
+
 std::vector<NamedFigure> record_figures(const RecordSpectrum& record) {
   std::vector<NamedFigure> figures = {
       {"history", history_figure(record),
-       "The beginning of what was analysed, and what the decomposition leaves of it."},
+       record.tones_count() ? "The beginning of what was analysed, and what the decomposition leaves of it."
+                            : "The beginning of what was analysed."},
       {"spectrum", spectrum_figure(record),
        "Hann window; a tone in the middle of a bin shows its peak amplitude, one between bins up to 1.4 dB less. "
        "Markers: the decomposition of the first ensemble."}};
@@ -252,10 +285,9 @@ std::vector<NamedFigure> order_figures(const RecordSpectrum& record) {
 std::vector<NamedFigure> relation_figures(const RecordSpectrum& record) {
   std::vector<NamedFigure> figures;
   for (std::size_t c = 0; c < std::min<std::size_t>(3, record.relations.size()); ++c)
-    figures.push_back(
-        {"relation_" + record.names[c], relation_figure(record, c),
-         "Where the response is uncorrelated with every delay of the excitation, no linear relation finds "
-         "the resonance, although each is well correlated with itself."});
+    figures.push_back({"relation_" + record.names[c], relation_figure(record, c),
+                       "Where the response is uncorrelated with every delay of the excitation, no linear relation "
+                       "of these delays finds the resonance, although each is well correlated with itself."});
   return figures;
 }
 
@@ -295,9 +327,10 @@ void add_tables(report::HtmlReport& page, const RecordSpectrum& record, std::siz
                    {"p (cos) or a (cosh)", Column::Kind::number, unit},
                    {"q (sin) or b (sinh)", Column::Kind::number, unit}};
   for (const MethodStatistics& method : record.survey.tables[channel]) {
-    if (method.terms.empty()) {
-      table.rows.push_back({method.name, "no finite decomposition of this order"});
+    if (!record.are_tones(channel, method)) {
+      table.rows.push_back({method.name, no_tones_text(method)});
       table.rows.back().resize(table.columns.size());
+      continue;
     }
     for (std::size_t i = 0; i < method.terms.size(); ++i) {
       const TermStatistics& term = method.terms[i];
@@ -329,6 +362,12 @@ void add_tables(report::HtmlReport& page, const RecordSpectrum& record, std::siz
 
 }  // namespace
 
+std::string no_tones_text(const MethodStatistics& method) {
+  if (method.terms.empty()) return "no finite decomposition of this order";
+  return fmt::format("explains {}: its terms are no tones of this record",
+                     report::format_percent(std::max(0.0, method.correlation), 2));
+}
+
 void conclude(RecordSpectrum& record) {
   const SpectralSurvey& survey = record.survey;
   const auto say = [&](std::string text) { record.conclusions.push_back(std::move(text)); };
@@ -346,22 +385,34 @@ void conclude(RecordSpectrum& record) {
   else
     say(
         fmt::format("No clear number of functions of time: the singular values fall without a step (the largest is "
-                    "a factor of {} behind number {}). The order of the signal is not that of a linear system.",
+                    "a factor of {} behind number {}). A linear system that rings freely, or that few tones drive, "
+                    "would show one.",
                     report::format_number(survey.step.ratio, 2), survey.step.functions));
   const std::vector<Pole>& poles = survey.decomposition.poles;
   const bool decays =
       std::any_of(poles.begin(), poles.end(), [](const Pole& pole) { return pole.family == PoleFamily::product; });
-  say(fmt::format("{}{} steady tone{} stand{} above white noise by a test{}{}.",
-                  survey.tones_limited ? "At least " : "", survey.tones, survey.tones == 1 ? "" : "s",
-                  survey.tones == 1 ? "s" : "", decays ? " (a decay counts for several)" : "",
-                  survey.step.clear && !decays && 2 * survey.tones > survey.step.functions
-                      ? ", the weak ones among them"
-                      : ""));
+  if (record.tones_count())
+    say(fmt::format("{}{} steady tone{} stand{} above white noise by a test{}{}.",
+                    survey.tones_limited ? "At least " : "", survey.tones, survey.tones == 1 ? "" : "s",
+                    survey.tones == 1 ? "s" : "", decays ? " (a decay counts for several)" : "",
+                    survey.step.clear && !decays && 2 * survey.tones > survey.step.functions
+                        ? ", the weak ones among them"
+                        : ""));
+  else if (survey.tones == 0)
+    say("No steady tone stands above white noise by a test.");
+  else
+    say(fmt::format(
+        "Steady tones are not counted: {} of them explain {} of {}, and what they leave is no white noise. "
+        "This is no sum of few steady tones.",
+        survey.order,
+        record.tables_empty() ? "nothing"
+                              : report::format_percent(std::max(0.0, survey.tables.front().back().correlation), 2),
+        record.names.front()));
   if (record.names.size() > 1)
     say(fmt::format(
         "{} function{} of space{}.", survey.spatial_count.functions, survey.spatial_count.functions == 1 ? "" : "s",
         survey.spatial_count.limited ? ", as many as these channels can show: more may take part" : ""));
-  if (!record.tables_empty()) {
+  if (record.tones_count()) {
     const std::vector<TermStatistics>& terms = survey.tables.front().back().terms;
     double largest = 0, others = 0;
     for (const TermStatistics& term : terms) {
@@ -389,12 +440,22 @@ void conclude(RecordSpectrum& record) {
   if (survey.settling)
     say(survey.settling->settled ? "Settled: no tone drifts over the record beyond its error and the tolerance."
                                  : "Not settled: " + survey.settling->reason + ".");
-  for (std::size_t c = 0; c < record.relations.size(); ++c)
-    say(fmt::format("{}: delayed {} explains {} of its variance by a linear relation{}.", record.names[c],
-                    record.excitation_name, report::format_percent(record.relations[c].explained, 1),
-                    record.relations[c].explained < 0.1
-                        ? "; ARMA and frequency responses cannot relate the two, whatever the noise"
-                        : ""));
+  for (std::size_t c = 0; c < record.relations.size(); ++c) say(relation_sentence(record, c));
+}
+
+bool RecordSpectrum::are_tones(std::size_t channel, const MethodStatistics& method) const {
+  constexpr double least_explained = 0.9, most_power = 2;
+  const double possible = survey.tones_limited ? 1 : std::min(1.0, survey.tables[channel].back().correlation);
+  if (method.terms.empty() || !(method.correlation >= least_explained * possible)) return false;
+  double power = 0;
+  for (const TermStatistics& term : method.terms)
+    if (term.family == PoleFamily::circular) power += 0.5 * term.amplitude * term.amplitude;
+  const Eigen::VectorXd samples = channels.col(static_cast<Index>(channel));
+  return power <= most_power * samples.squaredNorm() / static_cast<double>(samples.size());
+}
+
+bool RecordSpectrum::tones_count() const {
+  return !tables_empty() && are_tones(0, survey.tables.front().back());
 }
 
 bool RecordSpectrum::has_rates() const {
@@ -424,8 +485,11 @@ std::string spectrum_report(const RecordSpectrum& record, const std::string& com
              survey.step.clear ? std::to_string(survey.step.functions) : "no clear number",
              fmt::format("largest step of the singular values: {}", report::format_number(survey.step.ratio, 2)),
              survey.step.clear ? Tone::neutral : Tone::caution});
-  page.card({"Steady tones", fmt::format("{}{}", survey.tones_limited ? "at least " : "", survey.tones),
-             "by a test against white noise", Tone::neutral});
+  if (record.tones_count() || survey.tones == 0)
+    page.card({"Steady tones", fmt::format("{}{}", survey.tones_limited ? "at least " : "", survey.tones),
+               "by a test against white noise", Tone::neutral});
+  else
+    page.card({"Steady tones", "not counted", "the record is no sum of few of them", Tone::caution});
   if (record.names.size() > 1)
     page.card({"Functions of space", std::to_string(survey.spatial_count.functions),
                survey.spatial_count.limited ? "as many as the channels can show" : "", Tone::neutral});
@@ -447,12 +511,16 @@ std::string spectrum_report(const RecordSpectrum& record, const std::string& com
   if (!record.relations.empty()) {
     page.section("Linear relation to the excitation");
     Table table;
-    table.columns = {{"Channel", Column::Kind::text, ""},
-                     {"Explained by delayed excitation", Column::Kind::number, ""},
-                     {"RV coefficient", Column::Kind::number, ""}};
+    table.columns = {
+        {"Channel", Column::Kind::text, ""},
+        {fmt::format("Explained by {} delays", record.relations.front().delays), Column::Kind::number, ""},
+        {"By any linear filter", Column::Kind::number, ""},
+        {"RV coefficient", Column::Kind::number, ""}};
     for (std::size_t c = 0; c < record.relations.size(); ++c)
-      table.rows.push_back({record.names[c], report::format_percent(record.relations[c].explained, 2),
-                            report::format_number(record.relations[c].block_correlation, 3)});
+      table.rows.push_back(
+          {record.names[c], report::format_percent(record.relations[c].explained, 2),
+           record.relations[c].coherent ? report::format_percent(record.relations[c].coherent->share, 2) : "n/a",
+           report::format_number(record.relations[c].block_correlation, 3)});
     page.table(table);
     for (const NamedFigure& figure : relation_figures(record)) page.figure(figure.figure, figure.caption);
   }
@@ -467,7 +535,8 @@ std::string spectrum_json(const RecordSpectrum& record) {
                          {"length_s", static_cast<double>(survey.layout.length) / record.sample_rate_hz},
                          {"overlap", survey.layout.share()}};
   result["order"] = survey.order;
-  result["tones"] = {{"count", survey.tones}, {"at_least", survey.tones_limited}};
+  result["tones"] = {{"count", record.tones_count() || survey.tones == 0 ? Json(survey.tones) : Json(nullptr)},
+                     {"at_least", survey.tones_limited}};
   result["functions_of_time"] = {
       {"count", survey.step.functions}, {"clear", survey.step.clear}, {"step", finite_json(survey.step.ratio)}};
   if (record.names.size() > 1) {
@@ -489,6 +558,7 @@ std::string spectrum_json(const RecordSpectrum& record) {
                     {"ensembles", method.ensembles},
                     {"correlation", finite_json(method.correlation)},
                     {"signal_to_noise_db", finite_json(method.signal_to_noise_db)},
+                    {"tones", record.are_tones(c, method)},
                     {"terms", Json::array()}};
       for (const TermStatistics& term : method.terms)
         entry["terms"].push_back({{"family", family_name(term.family)},
@@ -505,9 +575,13 @@ std::string spectrum_json(const RecordSpectrum& record) {
       channel["transform_peaks"].push_back(
           {{"frequency_hz", peak.frequency * to_hz}, {"p", peak.p}, {"q", peak.q}});
     if (c < record.relations.size())
-      channel["linear_relation"] = {{"excitation", record.excitation_name},
-                                    {"explained", record.relations[c].explained},
-                                    {"rv_coefficient", record.relations[c].block_correlation}};
+      channel["linear_relation"] = {
+          {"excitation", record.excitation_name},
+          {"delays", record.relations[c].delays},
+          {"explained", record.relations[c].explained},
+          {"coherent",
+           record.relations[c].coherent ? finite_json(record.relations[c].coherent->share) : Json(nullptr)},
+          {"rv_coefficient", record.relations[c].block_correlation}};
     result["channels"].push_back(std::move(channel));
   }
   result["conclusions"] = record.conclusions;

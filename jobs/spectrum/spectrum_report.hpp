@@ -30,7 +30,18 @@ struct RecordSpectrum {
 
   bool tables_empty() const;  ///< no decomposition of the first channel
   bool has_rates() const;     ///< some term of some table grows or decays
+
+  /// Whether the terms of a method are tones of the channel: they explain nine tenths of it, or of what tones can
+  /// explain where the rest is white noise by the test; and their power is not more than twice the channel's, as
+  /// that of terms is which cancel one another.
+  bool are_tones(std::size_t channel, const MethodStatistics& method) const;
+  /// Whether those of the last method (maximum likelihood) of the first channel are, so that a count means
+  /// something.
+  bool tones_count() const;
 };
+
+/// In the place of terms that are no tones of a channel.
+std::string no_tones_text(const MethodStatistics& method);
 
 /// Fills `conclusions`.
 void conclude(RecordSpectrum& record);

@@ -17,6 +17,7 @@
 #include "measure/data/missing_cells.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/number_range.hpp"
+#include "measure/data/numbered_options.hpp"
 #include "measure/data/time_axis.hpp"
 #include "measure/formats/data_file.hpp"
 #include "measure/formats/matrix_lines.hpp"
@@ -53,6 +54,10 @@ RowChoice time_variable(const ImportOptions& options, const Variables& variables
   }
   if (options.sample_rate_hz) return {};
   if (find_variable(variables, "t")) return {"t", "", {}};
+  const auto is_time = [](const DataVariable& variable) { return is_called_time(variable.name); };
+  const auto only = std::find_if(variables.begin(), variables.end(), is_time);
+  if (only != variables.end() && std::find_if(only + 1, variables.end(), is_time) == variables.end())
+    return {only->name, "", {}};
   throw InputError(file, "", "what its time is, is not known: its variables are " + listed_names(variables),
                    "name the variable with --time NAME, or give --sample-rate HZ");
 }
@@ -75,17 +80,30 @@ DecimalMark decimal_mark(const std::string& text) {
   throw InputError("--decimal-mark", "", "is '" + text + "'", ". or , was expected");
 }
 
-/// A file, or one of the segments that it holds one behind the other.
+/// A file, or one of the segments that it holds one behind the other, or its variables of one number.
 struct RecordSource {
   std::filesystem::path path;
   std::size_t segment = 0;
+  std::vector<DescribedChannel> channels;
+  RowChoice rows;
 };
 
-std::vector<RecordSource> sources_of(const std::vector<std::filesystem::path>& files) {
+// Files after the first hold what it holds, but for how often.
+std::vector<RecordSource> sources_of(const ImportOptions& options, const Variables& variables) {
   std::vector<RecordSource> sources;
-  for (const std::filesystem::path& path : files)
-    for (std::size_t segment = 0, count = count_segments(path); segment < count; ++segment)
-      sources.push_back({path, segment});
+  for (const std::filesystem::path& path : options.files) {
+    const bool first = sources.empty();
+    const bool numbers = numbers_in(options, variables, options.files.front().string()).front() != "";
+    const Variables own = first || !numbers ? variables : describe_data_file(path);
+    for (const std::string& number : numbers_in(options, own, path.string())) {
+      const ImportOptions chosen = numbered(options, number);
+      const std::vector<DescribedChannel> channels = describe_channels(chosen, own);
+      RowChoice rows = time_variable(chosen, own, options.files.front().string());
+      rows.mark = decimal_mark(options.decimal_mark);
+      for (std::size_t segment = 0, count = count_segments(path); segment < count; ++segment)
+        sources.push_back({path, segment, channels, rows});
+    }
+  }
   return sources;
 }
 
@@ -254,6 +272,35 @@ std::optional<std::string> other_time(const std::filesystem::path& path, const s
   }
 }
 
+// What becomes of the variables of the first file.
+void note_variables(const Variables& variables, const std::vector<RecordSource>& sources,
+                    ImportedCampaign& imported) {
+  const RowChoice& time = sources.front().rows;
+  for (const DataVariable& variable : variables) {
+    const DescribedChannel* channel = nullptr;
+    bool is_time = false;
+    for (const RecordSource& source : sources) {
+      is_time = is_time || source.rows.variable == variable.name;
+      for (const DescribedChannel& described : source.channels)
+        if (!channel && described.variable == variable.name) channel = &described;
+    }
+    if (!channel) {
+      if (is_time) continue;
+      imported.left_out.push_back(variable.name);
+      if (time.variable.empty() || !may_be_time(variable.name)) continue;
+      if (auto warning = other_time(sources.front().path, variable.name, time))
+        imported.warnings.push_back(std::move(*warning));
+    } else if (std::any_of(imported.converted.begin(), imported.converted.end(),
+                           [&](const ConvertedChannel& c) { return c.name == channel->channel.name; })) {
+      continue;  // of another number
+    } else if (!variable.unit.empty() && variable.stated_unit != variable.unit) {
+      imported.converted.push_back({channel->channel.name, variable.stated_unit, variable.unit});
+    } else if (!channel->given_unit.empty()) {
+      imported.converted.push_back({channel->channel.name, channel->given_unit, channel->channel.unit});
+    }
+  }
+}
+
 }  // namespace
 
 ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink) {
@@ -267,38 +314,22 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
         "--column, --amplitudes, --phases, --phase-sign, --phase-offset, --per-excitation, --frequency-unit", "",
         "belong to tables", "give them with --kind lines");
   const Variables variables = describe_data_file(options.files.front());
-  const std::vector<DescribedChannel> channels = describe_channels(options, variables);
-  RowChoice time = time_variable(options, variables, options.files.front().string());
-  time.mark = decimal_mark(options.decimal_mark);
+  const std::vector<RecordSource> sources = sources_of(options, variables);
   const RecordKind kind = record_kind(options.kind);
 
   ImportedCampaign imported;
   Campaign& campaign = imported.campaign;
   campaign.name = options.name.empty() ? options.files.front().stem().string() : options.name;
-  for (const DescribedChannel& described : channels) campaign.channels.push_back(described.channel);
-  for (const DataVariable& variable : variables) {
-    const auto channel = std::find_if(channels.begin(), channels.end(),
-                                      [&](const DescribedChannel& d) { return d.variable == variable.name; });
-    if (channel == channels.end()) {
-      if (variable.name == time.variable) continue;
-      imported.left_out.push_back(variable.name);
-      if (time.variable.empty() || !may_be_time(variable.name)) continue;
-      if (auto warning = other_time(options.files.front(), variable.name, time))
-        imported.warnings.push_back(std::move(*warning));
-    } else if (!variable.unit.empty() && variable.stated_unit != variable.unit) {
-      imported.converted.push_back({channel->channel.name, variable.stated_unit, variable.unit});
-    } else if (!channel->given_unit.empty()) {
-      imported.converted.push_back({channel->channel.name, channel->given_unit, channel->channel.unit});
-    }
-  }
+  for (const DescribedChannel& described : sources.front().channels) campaign.channels.push_back(described.channel);
+  note_variables(variables, sources, imported);
   std::set<std::string> taken;
-  const std::vector<RecordSource> sources = sources_of(options.files);
   for (std::size_t f = 0; f < sources.size(); ++f) {
     // Files after the first are expected at the first one's rate.
     const std::optional<double> expected = f == 0 ? options.sample_rate_hz : std::optional(campaign.sample_rate_hz);
-    auto [record, time_unit, warnings] = read_file(
-        sources[f],
-        {channels, time, expected, options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is"});
+    auto [record, time_unit, warnings] =
+        read_file(sources[f], {sources[f].channels, sources[f].rows, expected,
+                               options.sample_rate_hz ? "--sample-rate says" : "the first file's rate is"});
+    imported.sources.push_back(sources[f].path);
     std::move(warnings.begin(), warnings.end(), std::back_inserter(imported.warnings));
     if (f == 0 && seconds_in(time_unit).value_or(1) != 1) imported.converted.push_back({"t", time_unit, "s"});
     if (f == 0) campaign.sample_rate_hz = record.sample_rate_hz;

@@ -31,7 +31,7 @@ struct ImportOptions {
   std::vector<std::filesystem::path> files;  ///< one record each
   std::string kind;                          ///< --kind
   std::vector<std::string> channels;         ///< --channel NAME[=VARIABLE]:ROLE[:QUANTITY:UNIT]
-  std::string time;                          ///< --time; empty: a variable named "t" if there is one
+  std::string time;                          ///< --time; empty: "t", or the one variable that is called time
   std::optional<double> sample_rate_hz;  ///< --sample-rate; checked against the time stamps where both are given
   std::string name;                      ///< --name; empty: the first file's name without extension
   std::string group;                     ///< --group
@@ -50,11 +50,13 @@ struct ImportedCampaign {
   Campaign campaign;
   std::vector<std::string> left_out;        ///< variables that no --channel or --time names, each once
   std::vector<ConvertedChannel> converted;  ///< channels whose unit the first file spells in another way or scales
-  std::vector<std::string> warnings;        ///< what was done to the samples, or is wrong with their time
+  std::vector<std::filesystem::path> sources{};  ///< of samples: by record, the file that it came from
+  std::vector<std::string> warnings{};           ///< what was done to the samples, or is wrong with their time
 };
 
-/// Reads the files as records of one campaign; samples keep their bits, but for units that a file
-/// states and that are not SI: those are converted. Throws InputError that names the option for
+/// Reads the files as records of one campaign, one each, or one for each of its segments (count_segments) and of
+/// the numbers that "*" stands for in the variables (numbered_options.hpp); samples keep their bits, but for units
+/// that a file states and that are not SI: those are converted. Throws InputError that names the option for
 /// everything the files cannot say, and the file's variables where it helps. `sink` takes the records one after
 /// another: together they need not fit into memory.
 ImportedCampaign import_files(const ImportOptions& options, const RecordSink& sink);

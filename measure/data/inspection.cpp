@@ -190,18 +190,24 @@ std::vector<std::vector<double>> channels_beside(const DataFile& data, const std
   return channels;
 }
 
-// The lines of a matrix, and columns below no header, have no names: one that rises evenly is time.
-void find_time_column(const DataFile& data, FileInspection& inspection) {
+// Where none is called time: one that is measured in a unit of time, has time among the words of its name or no
+// name (a line of a matrix, a column below no header), and rises evenly.
+void find_time_column(DataFile& data, FileInspection& inspection) {
   constexpr std::size_t fewest = 16;  // of a line of so many numbers chance makes no ramp
-  for (const DataVariable& variable : data.variables) {
+  for (DataVariable& variable : data.variables) {
     if (!inspection.time.empty()) return;
-    if (!is_matrix_line(variable.name) && !is_nameless_column(variable.name)) continue;
-    if (variable.values.size() < fewest) continue;
+    const bool in_seconds = seconds_in(variable.stated_unit).has_value();
+    const bool nameless =
+        is_matrix_line(variable.name) || is_nameless_column(variable.name) || holds_word_time(variable.name);
+    if ((!in_seconds && !nameless) || counts_rows(variable) || variable.values.size() < fewest) continue;
     std::vector<DataFault> ignored;
-    std::optional<TimeAxis> axis = judged_axis(variable.values, data.place, std::nullopt, ignored);
-    if (!axis || axis->jitter_s > 0) continue;
+    DataVariable time = variable;
+    std::optional<TimeAxis> axis =
+        in_seconds ? judged_time(time, data, ignored) : judged_axis(time.values, data.place, std::nullopt, ignored);
+    if (!axis || (!in_seconds && axis->jitter_s > 0)) continue;
     inspection.time = variable.name;
     inspection.axis = axis;
+    variable = std::move(time);
   }
 }
 

@@ -64,7 +64,12 @@ std::optional<double> take_offset(std::string_view text) {
 std::optional<double> clock_stamp(std::string_view text) {
   if (text.find(':') == std::string_view::npos) return std::nullopt;
   double days = 0;
-  if (text.size() > 10 && text[2] != ':') {
+  if (const std::size_t word = text.find(" days "); word != std::string_view::npos) {  // "0 days 00:00:00.5"
+    const std::optional<int> whole = take_digits(text, word);
+    if (!whole) return std::nullopt;
+    days = *whole;
+    text.remove_prefix(std::string_view(" days ").size());
+  } else if (text.size() > 10 && text[2] != ':') {
     const std::optional<double> date = take_date(text);
     if (!date) return std::nullopt;
     days = *date;
@@ -75,10 +80,11 @@ std::optional<double> clock_stamp(std::string_view text) {
   if (!minutes || !take_mark(text, ":")) return std::nullopt;
   const std::optional<int> whole = take_digits(text, 2);
   if (!whole || *hours > 24 || *minutes > 59 || *whole > 60) return std::nullopt;
-  double fraction = 0, unit = 0.1;
+  double digits = 0, scale = 1;  // one rounding: 0.000488281 is the number that this text means
   if (take_mark(text, ".,"))
-    for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1), unit /= 10)
-      fraction += unit * (text.front() - '0');
+    for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1), scale *= 10)
+      digits = 10 * digits + (text.front() - '0');
+  const double fraction = digits / scale;
   const std::optional<double> offset = take_offset(text);
   if (!offset) return std::nullopt;
   return 86400 * days + 3600.0 * *hours + 60.0 * *minutes + *whole + fraction - *offset;

@@ -10,6 +10,7 @@
 
 #include "input/input_error.hpp"
 #include "measure/formats/clock_stamp.hpp"
+#include "measure/formats/file_bytes.hpp"
 #include "measure/formats/fortran_number.hpp"
 #include "measure/formats/number_table.hpp"
 #include "measure/formats/unit.hpp"
@@ -92,9 +93,24 @@ std::vector<std::string_view> names_in(std::string_view line, char separator) {
   return split_row(line, separator, 1);
 }
 
+// The first column may have none: an index that was written with the rest.
 bool are_names(const std::vector<std::string_view>& fields) {
-  return std::none_of(fields.begin(), fields.end(),
-                      [](std::string_view field) { return field.empty() || is_number(field, true); });
+  const auto is_none = [](std::string_view field) { return field.empty() || is_number(field, true); };
+  const bool indexed = fields.size() > 1 && fields.front().empty();
+  return std::none_of(fields.begin() + (indexed ? 1 : 0), fields.end(), is_none);
+}
+
+bool is_unit(std::string_view field) {
+  const std::string unit = usual_spelling(as_utf8(field));
+  return seconds_in(unit) || !other_measure(unit).empty() || (unit_meaning(unit) && unit != "1");
+}
+
+// Units of columns: no number, and a known unit in every field (of a row between names and numbers: in one).
+bool are_units(const std::vector<std::string_view>& fields, bool all) {
+  const auto known = std::count_if(fields.begin(), fields.end(), is_unit);
+  const bool number =
+      std::any_of(fields.begin(), fields.end(), [](std::string_view f) { return is_number(f, true); });
+  return !number && (all ? known == std::ssize(fields) : known > 0);
 }
 
 bool are_numbers(const std::vector<std::string_view>& fields, bool decimal_comma) {
@@ -125,13 +141,29 @@ struct Beginning {
   bool names_rows(std::size_t i, const CsvDialect& its) const {
     const std::vector<std::string_view> names = names_in(lines[i].text, its.separator);
     if (!are_names(names)) return false;
-    for (const std::size_t row : {i + 1, i + 2}) {
-      if (row >= lines.size()) return false;
-      const std::vector<std::string_view> fields = split_row(lines[row].text, its.separator, names.size());
+    const auto row = [&](std::size_t line) { return split_row(lines[line].text, its.separator, names.size()); };
+    std::size_t last = i + 2;
+    for (std::size_t line = i + 1; line < lines.size() && line <= last; ++line) {
+      const std::vector<std::string_view> fields = row(line);
       if (fields.size() != names.size()) return false;
-      if (are_numbers(fields, its.decimal_comma)) return true;
+      if (line == i + 1 && are_units(fields, true)) last = i + 3;  // a remark a column may stand below them
+      // A line of a preamble may be followed by one number; rows are followed by rows.
+      if (are_numbers(fields, its.decimal_comma))
+        return names.size() > 1 || line + 1 >= lines.size() || are_numbers(row(line + 1), its.decimal_comma);
     }
     return false;
+  }
+
+  // Whether line i names the columns of numbers behind it, and line i + 1 has nothing but their units: then names
+  // may be numbers, as of channels that are counted.
+  bool names_units(std::size_t i) const {
+    if (i + 2 >= lines.size()) return false;
+    const CsvDialect its = dialect_for(lines[i]);
+    const std::vector<std::string_view> names = names_in(lines[i].text, its.separator);
+    const auto fields = [&](std::size_t line) { return split_row(lines[line].text, its.separator, names.size()); };
+    const std::vector<std::string_view> units = fields(i + 1), numbers = fields(i + 2);
+    return names.size() > 1 && names.size() == units.size() && names.size() == numbers.size() &&
+           !is_number(names.front(), true) && are_units(units, true) && are_numbers(numbers, its.decimal_comma);
   }
 
   // NumPy parts the names in a comment as it parts the rows.
@@ -259,34 +291,107 @@ void read_units(CsvHeader& header) {
   std::string_view rest = header.rows;
   const std::vector<std::string_view> fields =
       split_row(next_line(rest, header.line_break), header.dialect.separator, header.names.size());
-  if (fields.size() != header.names.size()) return;
-  bool known = false;
-  for (const std::string_view field : fields) {
-    const std::string unit(field);
-    known = known || seconds_in(unit) || (unit_meaning(usual_spelling(unit)) && unit != "1");
-    double number = 0;
-    if (std::from_chars(field.data(), field.data() + field.size(), number).ec == std::errc()) return;
-  }
-  if (!known) return;
+  if (fields.size() != header.names.size() || !are_units(fields, false)) return;
   for (std::size_t c = 0; c < fields.size(); ++c)
-    if (!fields[c].empty()) header.units[c] = usual_spelling(std::string(fields[c]));
+    if (!fields[c].empty()) header.units[c] = usual_spelling(as_utf8(fields[c]));
+  header.rows = rest;
+  ++header.last_line;
+  // A remark a column below the units.
+  const std::string_view next = next_line(rest, header.line_break);
+  const std::vector<std::string_view> remarks = split_row(next, header.dialect.separator, header.names.size());
+  const bool text =
+      std::all_of(remarks.begin(), remarks.end(), [](std::string_view f) { return !is_number(f, true); });
+  if (remarks.size() != header.names.size() || !text || !are_units(fields, true)) return;
   header.rows = rest;
   ++header.last_line;
 }
 
 void take_names(const Line& line, CsvHeader& header) {
   header.line = line.number;
-  for (const std::string_view name : names_in(line.text, header.dialect.separator)) header.names.emplace_back(name);
+  for (const std::string_view name : names_in(line.text, header.dialect.separator))
+    header.names.push_back(as_utf8(name));
+  if (header.names.size() > 1 && header.names.front().empty()) header.names.front() = nameless_column(0);
 }
 
-void check_names(const CsvHeader& header, const std::string& file) {
+// Rows below a preamble that names no columns: the line from which on all are rows of equally many numbers, in the
+// dialect that parts most of them; the first line if there are none.
+std::size_t first_of_rows(const std::vector<Line>& lines) {
+  std::size_t first = lines.size() - 1;
+  std::vector<CsvDialect> dialects(std::begin(csv_dialects), std::end(csv_dialects));
+  dialects.push_back(blank_dialect);
+  for (const CsvDialect& dialect : dialects) {
+    std::size_t begin = lines.size(), columns = 0;
+    for (; begin > 0; --begin) {
+      const std::size_t count = number_row(lines[begin - 1].text, dialect).size();
+      if (count < 2 || (columns != 0 && count != columns)) break;
+      columns = count;
+    }
+    // A line of as many texts above them names the columns, though not in a way that is known.
+    if (begin > 0 && split_row(lines[begin - 1].text, dialect.separator, 1).size() == columns) return 0;
+    first = std::min(first, begin);
+  }
+  return first + 1 == lines.size() ? 0 : first;
+}
+
+// "X,CH1,Start,Increment" and "Sequence,VOLT,-0.5,1e-3" of oscilloscopes: rows count their samples, and begin and
+// step of the time stand above, behind the names and units.
+bool read_counted_samples(const Beginning& beginning, std::string_view text, CsvHeader& header) {
+  const std::vector<Line>& lines = beginning.lines;
+  if (lines.size() < 3) return false;
+  const CsvDialect dialect = beginning.dialect_for(lines.front());
+  const std::vector<std::string_view> names = split_row(lines[0].text, dialect.separator, 1),
+                                      units = split_row(lines[1].text, dialect.separator, 1);
+  if (names.size() < 4 || units.size() != names.size()) return false;
+  const std::size_t columns = names.size() - 2;
+  if (names[columns] != "Start" || names[columns + 1] != "Increment") return false;
+  if (parse_number(units[columns], dialect.decimal_comma, header.counted_from) != FieldFault::none ||
+      parse_number(units[columns + 1], dialect.decimal_comma, header.counted_by) != FieldFault::none)
+    return false;
+  header.dialect = dialect;
+  for (std::size_t c = 0; c < columns; ++c) {
+    header.names.push_back(as_utf8(names[c]));
+    header.units.push_back(c == 0 ? "s" : usual_spelling(as_utf8(units[c])));
+  }
+  header.line = lines[0].number;
+  header.last_line = lines[2].number - 1;
+  header.rows = text.substr(static_cast<std::size_t>(lines[2].text.data() - text.data()));
+  return true;
+}
+
+// Rows with the oscilloscope's settings in front of the first ones (Tektronix TDS): "Record
+// Length,2500,,-0.5,0.04".
+bool read_rows_beside_settings(const Beginning& beginning, std::string_view text, CsvHeader& header) {
+  const std::vector<Line>& lines = beginning.lines;
+  const auto fields = [](const Line& line) { return split_row(line.text, ',', 5); };
+  const auto is_row = [&](const Line& line) {
+    const std::vector<std::string_view> row = fields(line);
+    return row.size() == 5 && is_number(row[3], false) && is_number(row[4], false);
+  };
+  if (lines.size() < 2 || fields(lines.front()).front() != "Record Length") return false;
+  if (!std::all_of(lines.begin(), lines.end(), is_row)) return false;
+  const auto setting = [&](std::string_view key) {
+    for (const Line& line : lines)
+      if (fields(line)[0] == key) return as_utf8(fields(line)[1]);
+    return std::string();
+  };
+  const std::string source = setting("Source"), unit = setting("Vertical Units");
+  header.names = {"setting", "value", "column3", "t", source.empty() ? "column5" : source};
+  header.units = {"", "", "", "s", usual_spelling(unit)};
+  header.line = lines.front().number;
+  header.last_line = header.line - 1;
+  header.rows = text.substr(static_cast<std::size_t>(lines.front().text.data() - text.data()));
+  return true;
+}
+
+void check_names(const CsvHeader& header, bool may_be_numbers, const std::string& file) {
   const std::string place = fmt::format("line {}", header.line);
   for (std::size_t c = 0; c < header.names.size(); ++c) {
     const std::string& name = header.names[c];
     if (name.empty())
       throw InputError(file, fmt::format("{}, column {}", place, c + 1), "has no name", "name every column");
     double number = 0;
-    if (std::from_chars(name.data(), name.data() + name.size(), number).ptr == name.data() + name.size())
+    if (!may_be_numbers &&
+        std::from_chars(name.data(), name.data() + name.size(), number).ptr == name.data() + name.size())
       throw InputError(file, place, "numbers where the column names should be",
                        "the first line names the columns, for example t,base,response");
     if (std::find(header.names.begin(), header.names.begin() + static_cast<std::ptrdiff_t>(c), name) !=
@@ -387,10 +492,13 @@ CsvHeader read_header(std::string_view text, const std::string& file) {
   CsvHeader header;
   if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos)
     header.line_break = '\r';
-  const Beginning beginning = beginning_of(text, header.line_break, file);
+  Beginning beginning = beginning_of(text, header.line_break, file);
   if (beginning.lines.empty())
     throw InputError(file, "", "is empty", "a header line and rows of numbers were expected");
-  std::size_t row = 0;  // of beginning.lines, the first below the names
+  if (read_counted_samples(beginning, text, header) || read_rows_beside_settings(beginning, text, header))
+    return header;
+  std::size_t row = 0;         // of beginning.lines, the first below the names
+  bool counted_names = false;  // are numbers
   if (const std::optional<Line> comment = beginning.names_in_comment()) {
     header.dialect = beginning.dialect_of_comment(*comment);
     take_names(*comment, header);
@@ -398,6 +506,11 @@ CsvHeader read_header(std::string_view text, const std::string& file) {
     while (row < beginning.lines.size() && !beginning.names_rows(row)) ++row;
     const bool named = row < beginning.lines.size();
     if (!named) row = 0;
+    counted_names = named && row > 0 && beginning.names_units(row - 1);
+    if (counted_names) --row;
+    if (!named)
+      beginning.lines.erase(beginning.lines.begin(),
+                            beginning.lines.begin() + static_cast<std::ptrdiff_t>(first_of_rows(beginning.lines)));
     if (const auto nameless = named ? std::nullopt : nameless_rows(beginning, file)) {
       header.dialect = nameless->dialect;
       header.line = beginning.lines.front().number;
@@ -407,7 +520,7 @@ CsvHeader read_header(std::string_view text, const std::string& file) {
       take_names(beginning.lines[row++], header);
     }
   }
-  check_names(header, file);
+  check_names(header, counted_names, file);
   header.last_line = header.line;
   header.rows = text.substr(text.size());
   if (row < beginning.lines.size()) {

@@ -13,17 +13,19 @@ namespace secular {
 struct CsvHeader {
   std::vector<std::string> names, units;
   CsvDialect dialect;
-  char line_break = '\n';     ///< or, in a text without any, a carriage return
-  std::size_t line = 0;       ///< of the names, or of the first row where there are none
-  std::size_t last_line = 0;  ///< before the rows
-  std::string_view rows;      ///< the text below
+  char line_break = '\n';                   ///< or, in a text without any, a carriage return
+  std::size_t line = 0;                     ///< of the names, or of the first row where there are none
+  std::size_t last_line = 0;                ///< before the rows
+  std::string_view rows;                    ///< the text below
+  double counted_from = 0, counted_by = 0;  ///< the first column counts samples: its time in s is from + by*count
 };
 
 /// Lines that begin with # and empty ones are passed over, and so is what has another number of fields than the
 /// names above the first row of numbers; sep= states the separator; a comment directly above the rows may hold the
 /// names. Where no line has a separator of csv_dialects, blanks part columns. Where the first line is a row of
-/// numbers and no line names columns, they are column1, column2, ... A control-Z at the end belongs to no row.
-/// Throws InputError.
+/// numbers and no line names columns, they are column1, column2, ...; so is a first one without a name. Names may
+/// be numbers where a line of units follows. Text that is not UTF-8 is taken for Latin-1. A control-Z at the end
+/// belongs to no row. Throws InputError.
 CsvHeader read_header(std::string_view text, const std::string& file);
 
 /// "column1", ...: what columns without names are called, counted from 0 here.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "measure/formats/csv_header.hpp"
 #include "measure/formats/hdf5_file.hpp"
 #include "measure/formats/lvm_file.hpp"
 #include "measure/formats/mat_file.hpp"
@@ -18,6 +19,7 @@
 #include "measure/formats/uff_file.hpp"
 #include "measure/formats/uff_variables.hpp"
 #include "measure/formats/unit.hpp"
+#include "measure/formats/unread_format.hpp"
 #include "measure/formats/wav_file.hpp"
 
 namespace secular {
@@ -118,37 +120,42 @@ DataFile read_csv_file(const fs::path& path, const std::vector<std::string>& wan
   return data;
 }
 
-DataFile read_hdf5_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
+DataFile read_hdf5_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit,
+                        std::size_t) {
   return with_variables(path, looks_like_mat(path) ? "MAT v7.3" : "HDF5", read_hdf5(path, wanted, limit), limit);
 }
 
-DataFile read_mat_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
+DataFile read_mat_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit,
+                       std::size_t) {
   return with_variables(path, "MAT v5", read_mat(path, wanted, limit), limit);
 }
 
-DataFile read_lvm_segment(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit,
-                          std::size_t segment) {
+DataFile read_lvm_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit,
+                       std::size_t segment) {
   DataFile data = with_variables(path, "LVM", read_lvm(path, wanted, limit, segment), limit);
   data.segment = segment;
   return data;
 }
 
-DataFile read_lvm_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit) {
-  return read_lvm_segment(path, wanted, limit, 0);
+DataFile read_wav_file(const fs::path& path, const std::vector<std::string>& wanted, std::size_t limit,
+                       std::size_t) {
+  return read_wav(path, wanted, limit);
 }
 
 struct Format {
   bool (*looks_like)(const fs::path&);
   std::array<std::string_view, 4> extensions;
-  DataFile (*read)(const fs::path&, const std::vector<std::string>& wanted, std::size_t limit);
+  DataFile (*read)(const fs::path&, const std::vector<std::string>& wanted, std::size_t limit, std::size_t segment);
+  std::size_t (*count_segments)(const fs::path&) = [](const fs::path&) -> std::size_t { return 1; };
 };
 
 // Every format but CSV, in the order in which content is asked: MAT v7.3 is HDF5.
-constexpr Format formats[] = {{looks_like_hdf5, {".h5", ".hdf5", ".hdf"}, read_hdf5_file},
-                              {looks_like_mat, {".mat"}, read_mat_file},
-                              {looks_like_uff, {".uff", ".unv", ".uf", ".bunv"}, read_uff_variables},
-                              {looks_like_lvm, {".lvm"}, read_lvm_file},
-                              {looks_like_wav, {".wav"}, read_wav}};
+constexpr Format formats[] = {
+    {looks_like_hdf5, {".h5", ".hdf5", ".hdf"}, read_hdf5_file},
+    {looks_like_mat, {".mat"}, read_mat_file},
+    {looks_like_uff, {".uff", ".unv", ".uf", ".bunv"}, read_uff_variables, count_uff_segments},
+    {looks_like_lvm, {".lvm"}, read_lvm_file, count_lvm_segments},
+    {looks_like_wav, {".wav"}, read_wav_file}};
 
 // nullptr: a CSV.
 const Format* format_of(const fs::path& path) {
@@ -162,6 +169,17 @@ const Format* format_of(const fs::path& path) {
   for (const Format& format : formats)
     for (const std::string_view usual : format.extensions)
       if (!usual.empty() && extension == usual) return &format;
+  if (const UnreadFormat* const unread = unread_format(path)) {
+    std::string way(unread->way);
+    for (std::size_t at = 0; (at = way.find("NAME", at)) != std::string::npos;) {
+      // NAME stands for the file, NAME.csv for one beside it.
+      const bool beside = way.compare(at + 4, 1, ".") == 0;
+      const std::string name = beside ? path.stem().string() : path.filename().string();
+      way.replace(at, 4, name);
+      at += name.size();
+    }
+    throw InputError(path.string(), "", fmt::format("is {}, which is not read", unread->name), way);
+  }
   return nullptr;
 }
 
@@ -181,6 +199,7 @@ void require_seconds(const DataVariable& time, const std::string& file) {
   };
   const std::string say = "give --time NAME:UNIT with s, ms, us, ns, min, h or d, or --sample-rate HZ in its place";
   const std::string name = time_name(time.name).name;
+  if (counts_rows(time)) throw wrong("has no name and counts rows, from 0 or 1 on", say);
   if (std::find(std::begin(counters), std::end(counters), name) != std::end(counters))
     throw wrong("counts samples, by its name, and states no unit of time", say);
   if (time.values.size() < 2) return;
@@ -219,8 +238,22 @@ void convert_to_seconds(DataVariable& time, const std::string& file, const std::
   time.unit = unit.empty() ? "" : "s";
 }
 
+bool counts_rows(const DataVariable& variable) {
+  const std::vector<double>& values = variable.values;
+  if (!is_nameless_column(variable.name) && !is_matrix_line(variable.name)) return false;
+  if (values.size() < 2 || (values.front() != 0 && values.front() != 1)) return false;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i] != values.front() + static_cast<double>(i)) return false;
+  return true;
+}
+
 bool is_called_time(const std::string& name) {
   return time_name(name).is_time;
+}
+
+bool holds_word_time(const std::string& name) {
+  const std::string plain = "_" + time_name(name).name + "_";
+  return plain.find("_time_") != std::string::npos || plain.find("_zeit_") != std::string::npos;
 }
 
 bool may_be_time(const std::string& name) {
@@ -268,7 +301,7 @@ DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wa
   if (!format) return read_csv_file(path, wanted, missing, limit, mark);
   if (mark != DecimalMark::by_dialect)
     throw InputError("--decimal-mark", "", fmt::format("{} is no CSV", path.string()), "leave it out");
-  DataFile data = segment > 0 ? read_lvm_segment(path, wanted, limit, segment) : format->read(path, wanted, limit);
+  DataFile data = format->read(path, wanted, limit, segment);
   if (missing != MissingNumbers::refuse) return data;
   for (const DataVariable& variable : data.variables)
     for (std::size_t i = 0; i < variable.values.size(); ++i)
@@ -280,7 +313,7 @@ DataFile read_data_file(const fs::path& path, const std::vector<std::string>& wa
 
 std::size_t count_segments(const fs::path& path) {
   const Format* format = format_of(path);
-  return format != nullptr && format->read == read_lvm_file ? count_lvm_segments(path) : 1;
+  return format ? format->count_segments(path) : 1;
 }
 
 std::vector<DataVariable> describe_data_file(const fs::path& path) {

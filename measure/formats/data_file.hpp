@@ -31,8 +31,15 @@ struct DataVariable {
 /// is not known.
 void convert_to_seconds(DataVariable& time, const std::string& file, const std::string& given = {});
 
+/// True for a variable without a name of its own (a nameless column, a line of a matrix) that is 0, 1, 2, ... or 1,
+/// 2, 3, ...: it counts rows, and is no time in seconds.
+bool counts_rows(const DataVariable& variable);
+
 /// True for a variable that is called time: "t", "Time", "time_ms", "Time [s]", "run.t (us)".
 bool is_called_time(const std::string& name);
+
+/// True where it is a word among others: "Data1_time_Tip".
+bool holds_word_time(const std::string& name);
 
 /// True for one that may be a time beside others: these, and "t_tip", "time 2", "Time_B (ms)".
 bool may_be_time(const std::string& name);
@@ -68,8 +75,8 @@ DataFile read_data_file(const std::filesystem::path& path, const std::vector<std
                         MissingNumbers missing = MissingNumbers::refuse, std::size_t limit = all_values,
                         DecimalMark mark = DecimalMark::by_dialect, std::size_t segment = 0);
 
-/// How many records of the same channels the file holds, one behind the other: segments of an LVM file; of all
-/// others 1.
+/// How many records of the same channels the file holds, one behind the other: segments of an LVM file,
+/// repeats of the same degrees of freedom in a UFF file; of all others 1.
 std::size_t count_segments(const std::filesystem::path& path);
 
 /// Takes the columns of a CSV whose header states a known unit of what a channel measures to SI, and says so in

@@ -19,6 +19,8 @@ namespace secular {
 namespace {
 
 constexpr std::string_view hdf5_signature("\x89HDF\r\n\x1a\n", 8);
+constexpr const char* records_fault =
+    "is a table of records (compound type), which is not read: in Python, pandas.read_hdf or h5py, then to_csv";
 constexpr std::size_t largest_user_block = 1 << 16;
 constexpr int deepest_group = 16;
 constexpr std::uint64_t smallest_object = 16;   // bytes
@@ -120,6 +122,7 @@ class Walk {
     if (!type.empty() && visit_struct_array(path, members, depth)) return;
     for (const Hdf5Link& member : members) {
       if (matlab_ && path.empty() && member.name.starts_with('#')) continue;  // MATLAB's own: what cells refer to
+      if (member.name.starts_with("_i_")) continue;                           // PyTables' own: the index of a table
       const std::string name = path.empty() ? member.name : path + "." + member.name;
       if (member.target.empty())
         visit(name, member.address, depth + 1);
@@ -177,9 +180,11 @@ class Walk {
     }
     const bool complex = object.type->kind == Hdf5Class::compound && !type.empty();
     const bool number = object.type->kind == Hdf5Class::integer || object.type->kind == Hdf5Class::floating_point;
-    if ((!number && !complex) || (number && !object.type->usual) ||
-        object.attributes.contains("MATLAB_object_decode"))
-      return;
+    if (object.attributes.contains("MATLAB_object_decode"))
+      return variables.push_back({path, {}, "object", {}, matlab_object_fault(path)});
+    if (object.type->kind == Hdf5Class::compound && !complex)
+      return variables.push_back({path, {}, "table of records", {}, records_fault});
+    if ((!number && !complex) || (number && !object.type->usual)) return;
     MatVariable found;
     found.path = path;
     found.shape.assign(object.shape->begin(), object.shape->end());

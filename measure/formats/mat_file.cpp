@@ -163,17 +163,19 @@ void walk(const std::string& path, matvar_t* variable, int depth, const Visitor&
            visit);
     return;
   }
-  if (type_name(variable->class_type)) visit(path, *variable);
+  if (type_name(variable->class_type) || variable->class_type == MAT_C_OPAQUE) visit(path, *variable);
 }
 
 // Headers first, all of them: reading numbers moves the place in the file.
 void visit_all(mat_t* file, const std::filesystem::path& path, const Visitor& visit) {
   std::vector<Variable> variables;
   while (Variable variable{Mat_VarReadNextInfo(file)})
-    if (variable->name) variables.push_back(std::move(variable));
+    if (variable->name || variable->class_type == MAT_C_OPAQUE) variables.push_back(std::move(variable));
   if (variables.empty())
     throw InputError(path.string(), "", "holds no readable variable", "it may be damaged or cut short");
-  for (const Variable& variable : variables) walk(variable->name, variable.get(), 0, visit);
+  for (const Variable& variable : variables)
+    if (const std::string name = variable->name ? variable->name : "object"; !name.empty())
+      walk(name, variable.get(), 0, visit);
 }
 
 // Numbers of a variable whose header was read: `count` of them in stored order, from `start` on, `stride` apart.
@@ -299,6 +301,10 @@ void add_variable(mat_t* file, matvar_t& variable, const std::string& name, cons
   const auto is_wanted = [&](const std::string& path) {
     return wanted.empty() || std::find(wanted.begin(), wanted.end(), path) != wanted.end();
   };
+  if (variable.class_type == MAT_C_OPAQUE) {
+    variables.push_back({name, {}, "object", {}, matlab_object_fault(name)});
+    return;
+  }
   MatVariable found;
   found.path = name;
   found.shape.assign(variable.dims, variable.dims + variable.rank);
@@ -332,6 +338,15 @@ void add_variable(mat_t* file, matvar_t& variable, const std::string& name, cons
 }
 
 }  // namespace
+
+std::string matlab_object_fault(const std::string& name) {
+  return fmt::format(
+      "is an object (timetable, table, datetime, ...), which MATLAB alone reads: there, S = "
+      "table2struct(timetable2table("
+      "{0}), 'ToScalar', true) for a timetable, S.Time = seconds(S.Time - S.Time(1)), save('file.mat', '-struct', "
+      "'S')",
+      name);
+}
 
 bool looks_like_mat(const std::filesystem::path& path) {
   std::ifstream probe(path, std::ios::binary);

@@ -29,4 +29,7 @@ std::vector<MatVariable> read_mat(const std::filesystem::path& path, const std::
 /// True if the file begins like a MAT file (v5 or v7.3).
 bool looks_like_mat(const std::filesystem::path& path);
 
+/// Why an object of MATLAB's (a timetable, ...) is no channel, and what makes channels of it.
+std::string matlab_object_fault(const std::string& name);
+
 }  // namespace secular

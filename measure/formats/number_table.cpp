@@ -23,6 +23,12 @@ namespace {
 [[noreturn]] void refuse(const std::string& file, const std::string& place, FieldFault fault,
                          std::string_view field) {
   if (fault == FieldFault::empty) throw InputError(file, place, "is empty", "a number was expected");
+  if (double value = 0; fault == FieldFault::text)
+    for (const bool comma : {false, true})
+      if (parse_grouped_number(field, comma, value) == FieldFault::none)
+        throw InputError(
+            file, place, shown(field) + " is not a number as it stands",
+            fmt::format("if its decimal mark is {0}: secular import with --decimal-mark {0}", comma ? ',' : '.'));
   if (fault == FieldFault::text)
     throw InputError(file, place, shown(field) + " is not a number", "a number was expected");
   throw InputError(file, place, shown(field) + " is not a finite number", "cut the record around missing samples");
@@ -97,8 +103,9 @@ struct RowReader {
   MissingNumbers missing;
   const std::string& file;
   DecimalMarks& marks;
-  DecimalMark mark;          // where it is known
-  std::vector<bool>& clock;  // by column of the table: a time of day without a date stands in its first row
+  DecimalMark mark;           // where it is known
+  std::vector<bool>& clock;   // by column of the table: a time of day without a date stands in its first row
+  std::vector<bool>& stamps;  // the same, with a date or without
 
   void read(std::string_view line, std::size_t line_number, NumberTable& table) const {
     std::size_t fields = 0;
@@ -116,7 +123,9 @@ struct RowReader {
       const bool known = mark != DecimalMark::by_dialect;
       const FieldFault fault = known ? parse_grouped_number(field, mark == DecimalMark::comma, value)
                                      : parse_number(field, header.dialect.decimal_comma, value);
-      if (fault == FieldFault::none && header.dialect.decimal_comma && !known) marks.see(field, line_number, file);
+      const bool stamp = fault == FieldFault::none && field.find(':') != std::string_view::npos;
+      if (fault == FieldFault::none && header.dialect.decimal_comma && !known && !stamp)
+        marks.see(field, line_number, file);
       if (fault != FieldFault::none) {
         const bool kept = missing == MissingNumbers::keep_as_nan ||
                           (missing == MissingNumbers::keep_gaps && fault != FieldFault::text);
@@ -125,8 +134,10 @@ struct RowReader {
         value = std::numeric_limits<double>::quiet_NaN();
       }
       const std::size_t column = target[fields - 1];
-      if (table.columns[column].empty())
-        clock[column] = value < 2 * day_s && field.find(':') != std::string_view::npos;
+      if (table.columns[column].empty()) {
+        stamps[column] = stamp;
+        clock[column] = stamp && value < 2 * day_s;
+      }
       table.columns[column].push_back(value);
     }
     if (fields != target.size())
@@ -158,8 +169,9 @@ void read_last_row(const RowReader& reader, NumberTable& table) {
   NumberTable last;
   last.columns.resize(table.columns.size());
   std::vector<bool> ignored(table.columns.size(), false);
-  RowReader forgiving{reader.header, reader.target, MissingNumbers::keep_as_nan, reader.file, reader.marks,
-                      reader.mark,   ignored};
+  RowReader forgiving{reader.header, reader.target, MissingNumbers::keep_as_nan,
+                      reader.file,   reader.marks,  reader.mark,
+                      ignored,       ignored};
   try {
     const CsvHeader& header = reader.header;
     forgiving.read(row_of(last_line(header.rows, header.line_break), header.dialect.separator), 0, last);
@@ -207,6 +219,12 @@ void read_rows(const RowReader& reader, TextFile& text, std::size_t limit, Numbe
   read_last_row(reader, table);
 }
 
+void count_time(const CsvHeader& header, std::size_t column, NumberTable& table) {
+  const auto time = [&](double count) { return header.counted_from + header.counted_by * count; };
+  for (double& count : table.columns[column]) count = time(count);
+  if (!table.last_row.empty()) table.last_row[column] = time(table.last_row[column]);
+}
+
 // Rows to make room for: their exact count is worth a look at the file, since columns that grow take twice the
 // room.
 std::size_t count_lines(const CsvHeader& header, TextFile& text, std::size_t limit) {
@@ -222,9 +240,20 @@ std::size_t count_lines(const CsvHeader& header, TextFile& text, std::size_t lim
   return std::min(lines, limit);
 }
 
+// "Kraft in kN", and "in s" of a time without a name: a known unit behind the last " in ".
+CsvName unit_behind_in(const std::string& name) {
+  const bool nameless = name.starts_with("in ");
+  const std::size_t in = nameless ? 0 : name.rfind(" in ");
+  if (in == std::string::npos) return {name, ""};
+  const std::string unit = usual_spelling(name.substr(in + (nameless ? 3 : 4)));
+  if (!seconds_in(unit) && (!unit_meaning(unit) || is_bare_ratio(unit))) return {name, ""};
+  return {nameless ? name : name.substr(0, in), unit};
+}
+
 // "Kraft/N", "a/(m/s^2)" (DIN 1313): a name without blanks that is no unit itself, and a known unit.
 CsvName unit_behind_slash(const std::string& name) {
   const std::size_t slash = name.find('/');
+  if (CsvName behind_in = unit_behind_in(name); !behind_in.unit.empty()) return behind_in;
   if (slash == 0 || slash == std::string::npos) return {name, ""};
   const std::string before = name.substr(0, slash), unit = usual_spelling(name.substr(slash + 1));
   const auto is_unit = [](const std::string& text) {
@@ -279,9 +308,11 @@ NumberTable read_csv(const std::filesystem::path& path, const std::vector<std::s
   const std::size_t lines = count_lines(header, text, limit);
   for (std::vector<double>& column : table.columns) column.reserve(lines);
   DecimalMarks marks;
-  std::vector<bool> clock(table.names.size(), false);
-  read_rows({header, target, missing, file, marks, mark, clock}, text, limit, table);
+  std::vector<bool> clock(table.names.size(), false), stamps = clock;
+  read_rows({header, target, missing, file, marks, mark, clock, stamps}, text, limit, table);
   for (std::size_t c = 0; c < clock.size(); ++c) {
+    if (stamps[c]) table.units[c] = "s";  // whatever a row of units says: date, hh:mm:ss
+    if (target.front() == c && header.counted_by != 0) count_time(header, c, table);
     if (!clock[c]) continue;
     continue_behind_midnight(table.columns[c]);
     continue_to_last_row(table, c);

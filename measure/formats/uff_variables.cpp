@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -65,6 +66,27 @@ std::string channel_fault(const UffFunction& function) {
   return {};
 }
 
+// Repeats of one test stand one behind the other: the k-th function of a degree of freedom is of the k-th record.
+// By function: its record, counted from 0; all 0 where time responses do not say where they were measured, or not
+// all of two or more channels have equally many.
+std::vector<std::size_t> records_of(const std::vector<UffFunction>& functions, std::size_t& records) {
+  std::map<std::string, std::size_t> seen;
+  std::vector<std::size_t> record(functions.size(), 0);
+  bool placed = true;
+  for (std::size_t i = 0; i < functions.size(); ++i) {
+    const UffFunction& function = functions[i];
+    if (!channel_fault(function).empty()) continue;
+    placed = placed && function.response.node != 0;
+    record[i] = seen[fmt::format("{} {} {} {}", degree_of_freedom(function.response), function.numerator.data_type,
+                                 function.numerator.label, function.id_lines.front())]++;
+  }
+  records = seen.empty() ? 1 : seen.begin()->second;
+  const bool equally = std::all_of(seen.begin(), seen.end(), [&](const auto& s) { return s.second == records; });
+  if (!placed || !equally || seen.size() < 2) records = 1;
+  if (records == 1) record.assign(functions.size(), 0);
+  return record;
+}
+
 bool same_time(const UffFunction& a, const UffFunction& b) {
   return a.even == b.even && a.count == b.count && a.start == b.start && a.rate == b.rate &&
          a.uneven_abscissa == b.uneven_abscissa && a.abscissa.unit == b.abscissa.unit &&
@@ -111,11 +133,14 @@ DataVariable channel_variable(std::string name, UffFunction& function, bool read
 }  // namespace
 
 DataFile read_uff_variables(const std::filesystem::path& path, const std::vector<std::string>& wanted,
-                            std::size_t limit) {
+                            std::size_t limit, std::size_t segment) {
   std::vector<UffFunction> functions = read_uff(path, limit);
   if (functions.empty())
     throw InputError(path.string(), "", "is a universal file without a data set 58",
                      "time responses as data sets 58 or 58b were expected");
+  std::size_t records = 1, place = 0;
+  const std::vector<std::size_t> record = records_of(functions, records);
+  std::erase_if(functions, [&](const UffFunction&) { return record[place++] != segment; });
   const std::vector<std::string> names = channel_names(functions);
   std::vector<std::size_t> channels;
   for (std::size_t i = 0; i < functions.size(); ++i)
@@ -138,6 +163,12 @@ DataFile read_uff_variables(const std::filesystem::path& path, const std::vector
     data.variables.push_back(channel_variable(names[i], functions[i], is_wanted(names[i])));
   add_frequency_functions(functions, names, is_wanted, data.variables);
   return data;
+}
+
+std::size_t count_uff_segments(const std::filesystem::path& path) {
+  std::size_t records = 1;
+  records_of(read_uff(path, 0), records);
+  return records;
 }
 
 }  // namespace secular

@@ -31,8 +31,8 @@ struct Decomposition {
   std::vector<Pole> poles;      ///< unknown ones by family and frequency, then constant and imposed
   Eigen::MatrixXd amplitudes;   ///< [function][channel], functions in the order of the poles
   Eigen::VectorXd correlation;  ///< gamma^2 between samples and fit, by channel
-  Eigen::VectorXd signal_to_noise_db;    ///< power of the fit over power of what is left, by channel
-  Eigen::VectorXd noise_sd;              ///< of what is left, corrected for the unknowns, by channel
+  Eigen::VectorXd signal_to_noise_db;      ///< power of the fit over power of what is left, by channel
+  Eigen::VectorXd noise_sd;                ///< of what is left, corrected for the unknowns, by channel
   std::optional<SolverEnding> refinement;  ///< how it ended; empty if not asked for
   int iterations = 0;
   /// Of (pole parameters, amplitudes of channel 0, of channel 1, ...), thus

@@ -16,8 +16,9 @@ struct DecayStart {
 /// position after the signal was last within 1 % of its largest excursion, moved on by half periods while a damped
 /// sine with harmonics leaves clearly more there than later on (a hand that still touches). Where no
 /// oscillation of at least two periods follows the largest excursion, but one leads up to it (a motion that
-/// excites itself, onto its limit cycle), or the motion keeps its size to 1 % throughout a record of up to seven turns, the record is free from
-/// its first sample on; nothing if there is none of these. samples: one channel; rate in Hz.
+/// excites itself, onto its limit cycle), or the motion keeps its size to 1 % throughout a record of up to seven
+/// turns, the record is free from its first sample on; nothing if there is none of these. samples: one channel;
+/// rate in Hz.
 std::optional<DecayStart> find_decay_start(const Eigen::Ref<const Eigen::VectorXd>& samples, double rate);
 
 /// Dominant frequency (rad/s) near `expected` from a circular-hyperbolic decomposition of the samples, averaged

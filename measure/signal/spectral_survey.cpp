@@ -221,7 +221,9 @@ LinearRelation linear_relation(const Eigen::Ref<const VectorXd>& excitation,
   // Two tones of unit correlation matrices: rank decides how many delays count.
   const MatrixXd inner = correlation.bottomRightCorner(n, n);
   const VectorXd solution = inner.completeOrthogonalDecomposition().solve(relation.cross);
+  relation.delays = delays;
   relation.explained = std::clamp(relation.cross.dot(solution), 0.0, 1.0);
+  relation.coherent = coherent_share(excitation, response);
   return relation;
 }
 

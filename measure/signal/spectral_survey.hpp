@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/signal/coherent_share.hpp"
 #include "measure/signal/decomposition.hpp"
 #include "measure/signal/ensembles.hpp"
 #include "measure/signal/exponential_fit.hpp"
@@ -56,7 +57,9 @@ OrderStep largest_step(const Eigen::Ref<const Eigen::VectorXd>& singular_values)
 struct LinearRelation {
   Eigen::VectorXd response, excitation, cross;  ///< correlation with v(i) of v(i+k), of u(i) with u(i+k), v with u
   double block_correlation = 0;                 ///< RV coefficient of the two blocks of Eq. (C.4)
-  double explained = 0;  ///< share of the response's variance that delayed excitation explains by least squares
+  int delays = 0;
+  double explained = 0;  ///< share of the response's variance that so many delays explain by least squares
+  std::optional<CoherentShare> coherent;  ///< what a filter of any form explains
 };
 /// The fewest samples for it: three times the delays and two more.
 Eigen::Index fewest_for_relation(int delays);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "jobs/import/import_run.hpp"
+#include "jobs/inspect/inspection_report.hpp"
 #include "jobs/inspect/inspection_run.hpp"
 #include "jobs/modal/modal_json.hpp"
 #include "jobs/modal/modal_report.hpp"
@@ -86,6 +87,11 @@ std::shared_ptr<JobOutcome> inspected(const std::string& path, const Campaign* c
   request.window = window_of(options);
   request.whole = options["whole"].cast<bool>();
   run_without_lock([&] { outcome->json = inspection_json(inspect(request)); });
+  // Pictures of every record are large: they are made for who wants the report.
+  outcome->report = [request](const std::string& command) mutable {
+    request.pictures = true;
+    return inspection_report(inspect(request), command);
+  };
   return outcome;
 }
 
@@ -118,7 +124,7 @@ std::shared_ptr<JobOutcome> imported(const py::dict& options, const std::string&
   const ImportOptions import = import_options(options);
   run_without_lock([&] {
     const ImportRun run = run_import(import, folder, replace);
-    outcome->json = import_json(run, import, folder);
+    outcome->json = import_json(run, folder);
     outcome->notices = run.imported.warnings;
   });
   return outcome;

@@ -96,6 +96,10 @@ class Inspection(Result):
         self.faults = list(_faults(data))
         self.disturbances: list[dict] = data.get("disturbances", [])
 
+    def to_html(self) -> str:
+        """The report that the program writes, one self-contained page. What was inspected is read again for it."""
+        return self._found().report("Python")
+
     def to_pandas(self):
         """A data frame with one row for each of `levels`."""
         import pandas

@@ -114,6 +114,9 @@ def test_inspect_is_the_program_s_in_memory_and_of_a_folder(program, decay, deca
     assert file.format == "CSV" and file.time == "t" and [v.name for v in file.variables] == ["t", "a", "b"]
     with pytest.raises(secular.InputError, match="single record"):
         secular.inspect(decay_folder / "records/0001.csv", records="0001*")
+    for inspection in (read, held):
+        assert "Usable for identify: 1 of 1 record." in inspection.to_html()
+    assert "secular import" in file.to_html()
 
 
 def test_faults_are_told_of_samples_in_memory(decay):

@@ -58,7 +58,7 @@ TEST_P(PlainRecords, EndWithAResultOrAMessage) {
   const auto ends_well = [](const testing_support::Outcome& outcome) {
     EXPECT_TRUE(outcome.status == 0 || outcome.status == 2) << outcome.status << outcome.errors;
   };
-  EXPECT_EQ(run("inspect a.csv").status, 0);
+  EXPECT_EQ(run("inspect a.csv -o seen").status, 0);
   ends_well(run("spectrum a.csv -o spectrum"));
   const std::string channel = ":response:displacement:m";
   const testing_support::Outcome import =
@@ -68,7 +68,7 @@ TEST_P(PlainRecords, EndWithAResultOrAMessage) {
     EXPECT_NE(import.errors.find(GetParam().said), std::string::npos) << import.errors;
     return;
   }
-  EXPECT_EQ(run("inspect campaign").status, 0);
+  EXPECT_EQ(run("inspect campaign -o inspected").status, 0);
   const testing_support::Outcome modal = run("modal campaign -o modal");
   EXPECT_EQ(modal.status, GetParam().modal) << modal.errors;
   EXPECT_NE(modal.errors.find(GetParam().said), std::string::npos) << modal.errors;

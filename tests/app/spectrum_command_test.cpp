@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <random>
 #include <string>
 
 #include "tests/app/program_run.hpp"
@@ -49,6 +50,24 @@ TEST_F(SpectrumCommand, SaysHowMuchAnEnsembleAllows) {
   const Outcome ensemble = spectrum(256, tone, "--ensemble 1e300");
   EXPECT_EQ(ensemble.status, 2);
   EXPECT_NE(ensemble.errors.find("does not fit into 1 s"), std::string::npos) << ensemble.errors;
+}
+
+// A count of tones is one where they are what the record is made of, or what they leave is white noise.
+TEST_F(SpectrumCommand, TonesAreCountedWhereTheyAreTones) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise;
+  const Outcome tone = spectrum(4096, [&](int i) { return 0.4 * std::sin(0.7 * i) + noise(random); });
+  EXPECT_NE(tone.output.find("- 1 steady tone stands above white noise by a test"), std::string::npos)
+      << tone.output;
+  EXPECT_NE(tone.output.find("28.5"), std::string::npos) << tone.output;  // 0.7 rad a sample, in the table
+  double x = 0, v = 0;
+  const Outcome broadband = spectrum(4096, [&](int) {
+    v = 0.95 * v - 0.2 * x + noise(random);
+    return x += v;
+  });
+  EXPECT_NE(broadband.output.find("Steady tones are not counted"), std::string::npos) << broadband.output;
+  EXPECT_NE(broadband.output.find("its terms are no tones of this record"), std::string::npos);
+  EXPECT_EQ(broadband.output.find("above white noise"), std::string::npos) << broadband.output;
 }
 
 }  // namespace

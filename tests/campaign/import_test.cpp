@@ -101,6 +101,16 @@ TEST_F(Import, AsksForWhatFilesCannotSayByTheOptionsName) {
   EXPECT_TRUE(contains(complaint(), "fast.csv"));
 }
 
+TEST_F(Import, TheOneVariableThatIsCalledTimeNeedsNoOption) {
+  ImportOptions options;
+  options.kind = "free_decay";
+  options.channels = {"tip=b:response:angle:rad"};
+  options.files = {write("one.csv", "Time (ms),b\n0,1\n2,2\n4,3\n")};
+  EXPECT_EQ(import_files(options).campaign.sample_rate_hz, 500);
+  options.files = {write("two.csv", "Time (ms),Time (s),b\n0,0,1\n2,0.002,2\n4,0.004,3\n")};
+  EXPECT_TRUE(contains(refusal([&] { import_files(options); }), "--time"));
+}
+
 TEST_F(Import, ChannelDescriptionsAreChecked) {
   const struct {
     const char *text, *part;

@@ -113,6 +113,36 @@ TEST(SpectralSurvey, ALinearRelationFindsAPrimaryResonanceAndNoParametricOne) {
   EXPECT_LT(parametric.cross.cwiseAbs().maxCoeff(), 0.02);
 }
 
+// A filter that remembers longer than the delays: coherence sees all of it, and of noise beside it what is not
+// noise.
+TEST(SpectralSurvey, CoherenceTellsWhatAnyLinearFilterExplains) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise;
+  VectorXd excitation(16384), response(16384);
+  double x = 0, v = 0;
+  for (Eigen::Index i = 0; i < response.size(); ++i) {
+    excitation(i) = noise(random);
+    v = 0.97 * v - 0.04 * x + excitation(i);  // a mode that rings for some hundred samples
+    x += v;
+    response(i) = x;
+  }
+  const double level = std::sqrt(response.squaredNorm() / static_cast<double>(response.size()));
+  const LinearRelation clean = linear_relation(excitation, response, 20);
+  EXPECT_LT(clean.explained, 0.5);
+  EXPECT_GT(clean.coherent->share, 0.97);
+  EXPECT_EQ(clean.coherent->window, 2048);
+  for (Eigen::Index i = 0; i < response.size(); ++i) response(i) += level * noise(random);
+  EXPECT_NEAR(linear_relation(excitation, response, 20).coherent->share, 0.5, 0.05);
+  VectorXd other(16384);
+  for (double& value : other) value = noise(random);
+  EXPECT_LT(linear_relation(other, response, 20).coherent->share, 0.05);
+  // Steady tones of other frequencies are not coherent, and of the same they are.
+  const VectorXd tone = survey_tone(8192, 200, 24, 1, 0.3);
+  EXPECT_LT(coherent_share(tone, survey_tone(8192, 200, 12, 3, 1.9))->share, 0.02);
+  EXPECT_GT(coherent_share(tone, survey_tone(8192, 200, 24, 3, 1.9))->share, 0.999);
+  EXPECT_FALSE(coherent_share(tone.head(400), tone.head(400)));
+}
+
 TEST(SpectralSurvey, RefusesWhatCannotBeAnalysed) {
   EXPECT_THROW(spectral_survey(VectorXd::Zero(100), 10, {}), std::invalid_argument);
   EXPECT_THROW(spectral_survey(VectorXd::Ones(4), 10, {}), std::invalid_argument);
