@@ -151,7 +151,8 @@ void judge_harmonics(Identification& id, int derivatives, unsigned threads) {
     square += std::pow(at_fundamental(excess), 2);
     id.estimate.warnings.push_back(fmt::format(
         "case {}: {} is {:.2g} % of the motion as channels show it; the model, under all that the excitation holds "
-        "there, makes {:.2g} %. Where a sensor makes the rest, its amplitudes are wrong by up to {:.2g} %: numbers "
+        "there, makes {:.2g} %. Where a sensor makes the difference, its amplitudes are wrong by up to {:.2g} %: "
+        "numbers "
         "whose unit holds the coordinate are allowed that. Where the structure makes it (another mode, a law that "
         "the model lacks), they are as good as without; `secular diagnose` looks for it",
         excess.resonance->name, block.name, 100 * excess.measured, 100 * excess.expected,

@@ -1,6 +1,6 @@
 #include "motion/correction/harmonic_excess.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 #include <cmath>
 #include <optional>
 
@@ -19,13 +19,18 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// An estimate is within this many standard deviations of the truth, 95 times in 100.
+constexpr double longest_step = 2;
+
 // Of one dwell: in units of the largest motion, as channels show both.
 struct ExcessOfOne {
   bool known = false;
   int multiple = 0;
-  double motion = 0;                            // the largest, as channels show it
-  double measured = 0, expected = 0, left = 0;  // moduli
-  double sd = 0;                                // of a real part of what is left
+  double motion = 0;                  // the largest, as channels show it
+  double measured = 0, expected = 0;  // moduli
+  Complex left = 0;
+  double sd = 0;                     // of a real part of what is left
+  std::vector<Complex> of_estimate;  // what each step of error_steps() makes of it
 };
 
 class ExcessOfCase {
@@ -44,7 +49,7 @@ class ExcessOfCase {
     const VectorXd& parameters = estimate_.parameter_values;
     const auto whole = motions_.under_all_lines(parameters, o), plain = motions_.in_balance(parameters, o);
     if (!whole || !plain) return result;
-    const std::vector<double> error = errors_of_prediction(o);
+    const std::vector<std::vector<Complex>> changes = changes_of_prediction(o);
     const double own = shown(o.amplitude[*largest], o.rate[*largest].imag());
     for (std::size_t b = 0; b < result.size(); ++b) {
       const RegressorBlock& block = set_.resonance->blocks[b];
@@ -61,14 +66,17 @@ class ExcessOfCase {
       if (!with || !without) continue;
       const double by_line =
           std::abs(o.forcing_harmonic[b]) > 0 ? std::abs(*with - *without) / std::abs(o.forcing_harmonic[b]) : 0.0;
-      const double sd = std::hypot(o.harmonic_sd[b], by_line * o.forcing_harmonic_sd[b], error[b]);
-      result[b] = {.known = true,
-                   .multiple = static_cast<int>(std::lround(ratio)),
-                   .motion = own,
-                   .measured = shown(o.harmonic[b], f) / own,
-                   .expected = shown(*with, f) / own,
-                   .left = shown(o.harmonic[b] - *with, f) / own,
-                   .sd = shown(sd, f) / own};
+      const double unit = std::pow(std::abs(f), derivatives_) / own;
+      ExcessOfOne& e = result[b];
+      e = {.known = true,
+           .multiple = static_cast<int>(std::lround(ratio)),
+           .motion = own,
+           .measured = std::abs(o.harmonic[b]) * unit,
+           .expected = std::abs(*with) * unit,
+           .left = (o.harmonic[b] - *with) * unit,
+           .sd = std::hypot(o.harmonic_sd[b], by_line * o.forcing_harmonic_sd[b]) * unit,
+           .of_estimate = {}};
+      for (const std::vector<Complex>& change : changes) e.of_estimate.push_back(change[b] * unit);
     }
     return result;
   }
@@ -129,20 +137,19 @@ class ExcessOfCase {
     return found;
   }
 
-  // By block: what the estimate's error bars leave open of a real part.
-  std::vector<double> errors_of_prediction(const Observation& o) const {
+  // By step of the estimate within its error bars and along what it leaves open, by block.
+  std::vector<std::vector<Complex>> changes_of_prediction(const Observation& o) const {
     const auto at = [&](const VectorXd& parameters) {
       return predicted_harmonics(*set_.model, *set_.resonance, parameters, o);
     };
     const std::vector<Complex> here = at(estimate_.parameter_values);
-    std::vector<double> square(here.size(), 0);
-    for (const Eigen::MatrixXd* directions : {&estimate_.noise, &estimate_.open})
-      for (const auto& step : directions->colwise()) {
-        const std::vector<Complex> there = at(estimate_.parameter_values + step);
-        for (std::size_t b = 0; b < here.size(); ++b) square[b] += std::norm(there[b] - here[b]) / 2;
+    std::vector<std::vector<Complex>> changes;
+    for (const Eigen::MatrixXd* steps : {&estimate_.noise, &estimate_.open, &estimate_.null_space})
+      for (const auto& step : steps->colwise()) {
+        changes.push_back(at(estimate_.parameter_values + step));
+        for (std::size_t b = 0; b < here.size(); ++b) changes.back()[b] -= here[b];
       }
-    for (double& s : square) s = std::sqrt(s);
-    return square;
+    return changes;
   }
 
   const ObservationSet& set_;
@@ -151,24 +158,59 @@ class ExcessOfCase {
   BalancedMotions motions_;
 };
 
+// What is left of dwells where the estimate takes the steps within its error bars that leave least: all dwells are
+// predicted by one estimate. The first `bounded` steps are standard deviations, the others of any length.
+void take_estimate_off(std::vector<ExcessOfOne>& dwells, Index bounded) {
+  const auto steps = static_cast<Index>(dwells.front().of_estimate.size());
+  const auto rows = 2 * static_cast<Index>(dwells.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows + bounded, steps);
+  VectorXd target = VectorXd::Zero(rows + bounded);
+  for (Index i = 0; i < rows / 2; ++i) {
+    const ExcessOfOne& e = dwells[static_cast<std::size_t>(i)];
+    target(2 * i) = e.left.real() / e.sd;
+    target(2 * i + 1) = e.left.imag() / e.sd;
+    for (Index d = 0; d < steps; ++d) {
+      const Complex change = e.of_estimate[static_cast<std::size_t>(d)] / e.sd;
+      matrix(2 * i, d) = change.real();
+      matrix(2 * i + 1, d) = change.imag();
+    }
+  }
+  matrix.bottomLeftCorner(bounded, bounded).setIdentity();
+  VectorXd step = matrix.completeOrthogonalDecomposition().solve(target);
+  const double longest = bounded > 0 ? step.head(bounded).cwiseAbs().maxCoeff() : 0.0;
+  if (longest > longest_step) {
+    step.head(bounded) *= longest_step / longest;
+    target -= matrix.leftCols(bounded) * step.head(bounded);
+    if (bounded < steps)
+      step.tail(steps - bounded) =
+          matrix.rightCols(steps - bounded).completeOrthogonalDecomposition().solve(target);
+  }
+  for (ExcessOfOne& e : dwells)
+    for (Index d = 0; d < steps; ++d) e.left -= step(d) * e.of_estimate[static_cast<std::size_t>(d)];
+}
+
 // docs/inference.md (56).
-std::optional<HarmonicExcess> excess_of_block(const std::vector<std::vector<ExcessOfOne>>& all, std::size_t block) {
-  HarmonicExcess sum{.block = block};
-  double squares = 0, weights = 0, chi_squared = 0, count = 0;
-  for (const std::vector<ExcessOfOne>& one : all) {
-    const ExcessOfOne& e = one[block];
-    if (!e.known || !(e.sd > 0) || (sum.multiple != 0 && e.multiple != sum.multiple)) continue;
-    sum.multiple = e.multiple;
+std::optional<HarmonicExcess> excess_of_block(const std::vector<std::vector<ExcessOfOne>>& all, std::size_t block,
+                                              Index bounded) {
+  std::vector<ExcessOfOne> dwells;
+  for (const std::vector<ExcessOfOne>& one : all)
+    if (const ExcessOfOne& e = one[block];
+        e.known && e.sd > 0 && (dwells.empty() || e.multiple == dwells.front().multiple))
+      dwells.push_back(e);
+  if (dwells.empty()) return std::nullopt;
+  take_estimate_off(dwells, bounded);
+  HarmonicExcess sum{.block = block, .multiple = dwells.front().multiple};
+  double squares = 0, weights = 0, chi_squared = 0;
+  for (const ExcessOfOne& e : dwells) {
     const double weight = std::pow(e.motion, 4);
     weights += weight;
     sum.measured += weight * e.measured * e.measured;
     sum.expected += weight * e.expected * e.expected;
-    squares += weight * e.left * e.left;
-    chi_squared += std::pow(e.left / e.sd, 2);
-    ++count;
+    squares += weight * std::norm(e.left);
+    chi_squared += std::norm(e.left) / (e.sd * e.sd);
   }
-  if (count == 0) return std::nullopt;
-  const double by_chance = chi_squared_upper_quantile(estimator_thresholds().contradiction_alarm, 2 * count);
+  const double by_chance = chi_squared_upper_quantile(estimator_thresholds().contradiction_alarm,
+                                                      2 * static_cast<double>(dwells.size()));
   if (!(chi_squared > by_chance)) return std::nullopt;
   sum.measured = std::sqrt(sum.measured / weights);
   sum.expected = std::sqrt(sum.expected / weights);
@@ -192,7 +234,7 @@ std::vector<HarmonicExcess> harmonic_excess(std::span<const ObservationSet> meas
     std::vector<std::vector<ExcessOfOne>> all(dwells.size());
     in_parallel(all.size(), threads, [&](std::size_t i) { all[i] = of_case.of(dwells[i]); });
     for (std::size_t b = 0; b < set.resonance->blocks.size(); ++b)
-      if (auto excess = excess_of_block(all, b)) {
+      if (auto excess = excess_of_block(all, b, estimate.noise.cols() + estimate.open.cols())) {
         excess->resonance = set.resonance;
         found.push_back(*excess);
       }

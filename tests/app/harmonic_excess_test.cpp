@@ -81,7 +81,7 @@ TEST(HarmonicExcess, OfASensorIsAllowedForInWhatAmplitudesTell) {
   for (const Record& record : made.samples)
     for (const double y : record.channels[1]) largest = std::max(largest, std::abs(y));
   const Identification id = identified(made, [&](double y) { return y * (1 - 0.12 * std::pow(y / largest, 2)); });
-  EXPECT_TRUE(warns(id.estimate.warnings, "Where a sensor makes the rest"));
+  EXPECT_TRUE(warns(id.estimate.warnings, "Where a sensor makes the difference"));
   EXPECT_TRUE(holds(value_of(id.estimate, "e"), strength_told)) << *value_of(id.estimate, "e").value;
   EXPECT_TRUE(holds(value_of(id.estimate, "a3"), hardening_told)) << *value_of(id.estimate, "a3").value;
   EXPECT_TRUE(value_of(id.estimate, "e").doubtful);
@@ -91,9 +91,23 @@ TEST(HarmonicExcess, OfASensorIsAllowedForInWhatAmplitudesTell) {
 TEST(HarmonicExcess, OfTheShakerIsNone) {
   for (const char* shaker : {"", "[shaker]\nharmonics = [0.05, 0.05]\n"}) {
     const Identification id = identified(dwells(shaker, 12), [](double y) { return y; });
-    EXPECT_FALSE(warns(id.estimate.warnings, "Where a sensor makes the rest")) << shaker;
+    EXPECT_FALSE(warns(id.estimate.warnings, "Where a sensor makes the difference")) << shaker;
     EXPECT_LT(value_of(id.estimate, "e").sd, 0.002) << shaker;
   }
+}
+
+// What a campaign leaves open moves the predicted harmonics: that is no excess.
+TEST(HarmonicExcess, OfNumbersThatAreLeftOpenIsNone) {
+  const auto file = testing_support::source_folder() / "models/experiments/principal_parametric.toml";
+  const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
+  const SimulatedCampaign made = run_virtual_test(read_experiment(file, model), model, 3, 2);
+  IdentificationRequest request;
+  request.model = "two_mass_mode1";
+  const Identification id =
+      identify_by_modulation(request, made.campaign, [&](std::size_t r) { return made.samples[r]; });
+  EXPECT_FALSE(warns(id.estimate.warnings, "Where a sensor makes the difference"));
+  EXPECT_FALSE(value_of(id.estimate, "eta1").doubtful);
+  EXPECT_FALSE(value_of(id.estimate, "mu3").doubtful);
 }
 
 }  // namespace
