@@ -1,6 +1,7 @@
 #include "motion/correction/harmonic_excess.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -30,7 +31,8 @@ struct ExcessOfOne {
   double measured = 0, expected = 0;  // moduli
   Complex left = 0;
   double sd = 0;                     // of a real part of what is left
-  std::vector<Complex> of_estimate;  // what each step of error_steps() makes of it
+  std::vector<Complex> of_estimate;  // what steps of the estimate within its error bars make of it
+  std::vector<double> of_open;       // and those along what it leaves open, moduli
 };
 
 class ExcessOfCase {
@@ -50,6 +52,7 @@ class ExcessOfCase {
     const auto whole = motions_.under_all_lines(parameters, o), plain = motions_.in_balance(parameters, o);
     if (!whole || !plain) return result;
     const std::vector<std::vector<Complex>> changes = changes_of_prediction(o);
+    const auto open = along_what_is_open(o);
     const double own = shown(o.amplitude[*largest], o.rate[*largest].imag());
     for (std::size_t b = 0; b < result.size(); ++b) {
       const RegressorBlock& block = set_.resonance->blocks[b];
@@ -75,8 +78,13 @@ class ExcessOfCase {
            .expected = std::abs(*with) * unit,
            .left = (o.harmonic[b] - *with) * unit,
            .sd = std::hypot(o.harmonic_sd[b], by_line * o.forcing_harmonic_sd[b]) * unit,
-           .of_estimate = {}};
+           .of_estimate = {},
+           .of_open = {}};
       for (const std::vector<Complex>& change : changes) e.of_estimate.push_back(change[b] * unit);
+      for (const auto& moved : open) {
+        const auto there = moved ? motions_.amplitude_of(mode, block.phase, *moved) : std::nullopt;
+        e.of_open.push_back(there ? std::abs(*there - *without) * unit : INFINITY);
+      }
     }
     return result;
   }
@@ -137,19 +145,28 @@ class ExcessOfCase {
     return found;
   }
 
-  // By step of the estimate within its error bars and along what it leaves open, by block.
+  // By step of the estimate within its error bars, by block: by the expansion, which these steps are known to move.
   std::vector<std::vector<Complex>> changes_of_prediction(const Observation& o) const {
     const auto at = [&](const VectorXd& parameters) {
       return predicted_harmonics(*set_.model, *set_.resonance, parameters, o);
     };
     const std::vector<Complex> here = at(estimate_.parameter_values);
     std::vector<std::vector<Complex>> changes;
-    for (const Eigen::MatrixXd* steps : {&estimate_.noise, &estimate_.open, &estimate_.null_space})
+    for (const Eigen::MatrixXd* steps : {&estimate_.noise, &estimate_.open})
       for (const auto& step : steps->colwise()) {
         changes.push_back(at(estimate_.parameter_values + step));
         for (std::size_t b = 0; b < here.size(); ++b) changes.back()[b] -= here[b];
       }
     return changes;
+  }
+
+  // Along each direction that the campaign leaves open: by the full equations, since no lump of the expansion
+  // notices it. Motions without a balance there are as unknown as any.
+  std::vector<std::optional<BalancedMotions::Balanced>> along_what_is_open(const Observation& o) const {
+    std::vector<std::optional<BalancedMotions::Balanced>> motions;
+    for (const auto& step : estimate_.null_space.colwise())
+      motions.push_back(motions_.in_balance(estimate_.parameter_values + step, o));
+    return motions;
   }
 
   const ObservationSet& set_;
@@ -159,12 +176,13 @@ class ExcessOfCase {
 };
 
 // What is left of dwells where the estimate takes the steps within its error bars that leave least: all dwells are
-// predicted by one estimate. The first `bounded` steps are standard deviations, the others of any length.
-void take_estimate_off(std::vector<ExcessOfOne>& dwells, Index bounded) {
+// predicted by one estimate.
+void take_estimate_off(std::vector<ExcessOfOne>& dwells) {
   const auto steps = static_cast<Index>(dwells.front().of_estimate.size());
+  if (steps == 0) return;
   const auto rows = 2 * static_cast<Index>(dwells.size());
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows + bounded, steps);
-  VectorXd target = VectorXd::Zero(rows + bounded);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows + steps, steps);
+  VectorXd target = VectorXd::Zero(rows + steps);
   for (Index i = 0; i < rows / 2; ++i) {
     const ExcessOfOne& e = dwells[static_cast<std::size_t>(i)];
     target(2 * i) = e.left.real() / e.sd;
@@ -175,30 +193,34 @@ void take_estimate_off(std::vector<ExcessOfOne>& dwells, Index bounded) {
       matrix(2 * i + 1, d) = change.imag();
     }
   }
-  matrix.bottomLeftCorner(bounded, bounded).setIdentity();
-  VectorXd step = matrix.completeOrthogonalDecomposition().solve(target);
-  const double longest = bounded > 0 ? step.head(bounded).cwiseAbs().maxCoeff() : 0.0;
-  if (longest > longest_step) {
-    step.head(bounded) *= longest_step / longest;
-    target -= matrix.leftCols(bounded) * step.head(bounded);
-    if (bounded < steps)
-      step.tail(steps - bounded) =
-          matrix.rightCols(steps - bounded).completeOrthogonalDecomposition().solve(target);
-  }
+  matrix.bottomRows(steps).setIdentity();
+  VectorXd step = matrix.colPivHouseholderQr().solve(target);
+  if (const double longest = step.cwiseAbs().maxCoeff(); longest > longest_step) step *= longest_step / longest;
   for (ExcessOfOne& e : dwells)
     for (Index d = 0; d < steps; ++d) e.left -= step(d) * e.of_estimate[static_cast<std::size_t>(d)];
 }
 
+// How much of an excess counts: all of it where the estimate determines the prediction, none of it where a step
+// along what it leaves open moves the prediction by more than noise.
+double determined(const std::vector<ExcessOfOne>& dwells) {
+  double most = 0;
+  for (std::size_t d = 0; d < dwells.front().of_open.size(); ++d) {
+    double moved = 0;
+    for (const ExcessOfOne& e : dwells) moved += std::pow(e.of_open[d] / e.sd, 2) / 2;
+    most = std::max(most, moved / static_cast<double>(dwells.size()));
+  }
+  return std::max(0.0, 1 - most);
+}
+
 // docs/inference.md (56).
-std::optional<HarmonicExcess> excess_of_block(const std::vector<std::vector<ExcessOfOne>>& all, std::size_t block,
-                                              Index bounded) {
+std::optional<HarmonicExcess> excess_of_block(const std::vector<std::vector<ExcessOfOne>>& all, std::size_t block) {
   std::vector<ExcessOfOne> dwells;
   for (const std::vector<ExcessOfOne>& one : all)
     if (const ExcessOfOne& e = one[block];
         e.known && e.sd > 0 && (dwells.empty() || e.multiple == dwells.front().multiple))
       dwells.push_back(e);
   if (dwells.empty()) return std::nullopt;
-  take_estimate_off(dwells, bounded);
+  take_estimate_off(dwells);
   HarmonicExcess sum{.block = block, .multiple = dwells.front().multiple};
   double squares = 0, weights = 0, chi_squared = 0;
   for (const ExcessOfOne& e : dwells) {
@@ -211,10 +233,11 @@ std::optional<HarmonicExcess> excess_of_block(const std::vector<std::vector<Exce
   }
   const double by_chance = chi_squared_upper_quantile(estimator_thresholds().contradiction_alarm,
                                                       2 * static_cast<double>(dwells.size()));
-  if (!(chi_squared > by_chance)) return std::nullopt;
+  const double counts = determined(dwells) * (1 - by_chance / chi_squared);
+  if (!(counts > 0)) return std::nullopt;
   sum.measured = std::sqrt(sum.measured / weights);
   sum.expected = std::sqrt(sum.expected / weights);
-  sum.share = std::sqrt(squares / weights * (1 - by_chance / chi_squared));
+  sum.share = std::sqrt(squares / weights * counts);
   return sum;
 }
 
@@ -234,7 +257,7 @@ std::vector<HarmonicExcess> harmonic_excess(std::span<const ObservationSet> meas
     std::vector<std::vector<ExcessOfOne>> all(dwells.size());
     in_parallel(all.size(), threads, [&](std::size_t i) { all[i] = of_case.of(dwells[i]); });
     for (std::size_t b = 0; b < set.resonance->blocks.size(); ++b)
-      if (auto excess = excess_of_block(all, b, estimate.noise.cols() + estimate.open.cols())) {
+      if (auto excess = excess_of_block(all, b)) {
         excess->resonance = set.resonance;
         found.push_back(*excess);
       }

@@ -97,7 +97,7 @@ TEST(HarmonicExcess, OfTheShakerIsNone) {
 }
 
 // What a campaign leaves open moves the predicted harmonics: that is no excess.
-TEST(HarmonicExcess, OfNumbersThatAreLeftOpenIsNone) {
+TEST(SlowHarmonicExcess, OfNumbersThatAreLeftOpenIsNone) {
   const auto file = testing_support::source_folder() / "models/experiments/principal_parametric.toml";
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
   const SimulatedCampaign made = run_virtual_test(read_experiment(file, model), model, 3, 2);
