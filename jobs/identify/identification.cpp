@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "estimator/identification/gain_allowance.hpp"
+#include "estimator/identification/other_estimate.hpp"
 #include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
@@ -17,8 +17,8 @@
 #include "jobs/shared/record_selection.hpp"
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/observe/modal_projection.hpp"
+#include "motion/correction/cubic_sensor.hpp"
 #include "motion/correction/free_phases.hpp"
-#include "motion/correction/harmonic_excess.hpp"
 
 namespace secular {
 namespace {
@@ -138,27 +138,29 @@ EstimateOptions options_of(const IdentificationRequest& request) {
 
 namespace {
 
-/// A sensor with a cubic part makes a third harmonic and three times as much at the fundamental.
-double at_fundamental(const HarmonicExcess& excess) {
-  return excess.multiple == 3 ? 3 * excess.share : excess.share;
-}
-
-/// Harmonics that neither model nor excitation makes may be those of a sensor whose amplitudes are wrong, too.
-void judge_harmonics(Identification& id, int derivatives, unsigned threads) {
-  double square = 0;
-  for (const HarmonicExcess& excess : harmonic_excess(id.measured, id.estimate, derivatives, threads)) {
-    const RegressorBlock& block = excess.resonance->blocks[excess.block];
-    square += std::pow(at_fundamental(excess), 2);
-    id.estimate.warnings.push_back(fmt::format(
-        "case {}: {} is {:.2g} % of the motion as channels show it; the model, under all that the excitation holds "
-        "there, makes {:.2g} %. Where a sensor makes the difference, its amplitudes are wrong by up to {:.2g} %: "
-        "numbers "
-        "whose unit holds the coordinate are allowed that. Where the structure makes it (another mode, a law that "
-        "the model lacks), they are as good as without; `secular diagnose` looks for it",
-        excess.resonance->name, block.name, 100 * excess.measured, 100 * excess.expected,
-        100 * at_fundamental(excess)));
+/// Third harmonics that neither model nor excitation makes may be those of a sensor whose amplitudes are wrong,
+/// too: numbers are allowed what they move by where its law is taken off. docs/inference.md (56), (57).
+void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTask& task, int derivatives,
+                  Identification& id) {
+  const auto sensor = cubic_sensor(id.measured, id.estimate, derivatives, task.options.threads);
+  if (!sensor) return;
+  std::vector<ObservationSet> without;
+  for (const ObservationSet& set : observed) without.push_back(without_cubic_part(set, *sensor));
+  std::string allowed = "numbers are allowed what they move by where that is taken off";
+  try {
+    allow_for_other(id.estimate, estimate_with_phases(without, task).of.estimate);
+  } catch (const NumericalFailure&) {
+    allowed = "where that is taken off nothing can be identified, so that no number is sure";
+    for (EstimatedValue& value : id.estimate.parameters)
+      value.doubtful = value.doubtful || (value.value && !value.fixed);
   }
-  if (square > 0) allow_for_gain(id.estimate, *id.model, std::sqrt(square));
+  id.estimate.warnings.push_back(
+      fmt::format("case {}: beyond what model and excitation make, the responses' third harmonic grows as the cube "
+                  "of the motion, "
+                  "to {:.2g} % of it, as that of a sensor which is not linear. Such a sensor's amplitudes are "
+                  "{:.2g} % off there: "
+                  "{}. Where it is the structure's (a law that the model lacks), `secular diagnose` looks for it",
+                  sensor->resonance->name, 100 * std::abs(sensor->third), 300 * std::abs(sensor->third), allowed));
 }
 
 }  // namespace
@@ -177,13 +179,14 @@ void estimate_observed(const IdentificationRequest& request, Identification& id)
         clock.done(stage);
       }};
   try {
-    PhasedEstimate found = estimate_with_phases(id.measured, task);
+    const std::vector<ObservationSet> observed = id.measured;
+    PhasedEstimate found = estimate_with_phases(observed, task);
     id.estimate = std::move(found.of.estimate);
     id.measured = std::move(found.of.measured);
     id.replayed = std::move(found.of.replayed);
     id.lateness = std::move(found.lateness);
     id.freed = std::move(found.freed);
-    judge_harmonics(id, projection.derivatives, request.threads);
+    judge_sensor(observed, task, projection.derivatives, id);
   } catch (const NothingObserved& nothing) {  // here it is the campaign itself
     throw InputError(id.campaign.folder.string(), "", nothing.what());
   }

@@ -1,4 +1,5 @@
-// Harmonics that neither the model nor the excitation makes may come from a sensor whose amplitudes are wrong, too.
+// Third harmonics that neither the model nor the excitation makes may come from a sensor whose amplitudes are
+// wrong.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,7 @@ using testing_support::warns;
 constexpr double strength_told = 1, hardening_told = 2.5e8;
 
 // A hardening oscillator of 20 Hz on a moving base, twelve dwells at two levels.
-SimulatedCampaign dwells(const std::string& shaker, std::uint64_t seed) {
+SimulatedCampaign hardening_dwells(const std::string& shaker, std::uint64_t seed) {
   std::string text = R"(schema = 1
 name = "dwells"
 model = "duffing"
@@ -53,7 +55,7 @@ settle_s = 12.0
 ensembles = 4
 ensemble_s = 2.0
 )";
-  const auto file = testing_support::process_folder() / "harmonic_excess.toml";
+  const auto file = testing_support::process_folder() / "cubic_sensor.toml";
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file) << text;
   const CompiledModel& model = *generated::find_compiled_model("duffing");
@@ -75,29 +77,43 @@ bool holds(const EstimatedValue& value, double truth) {
 
 // As an amplifier that saturates softly: 3 % of third harmonic at the largest motion, and a gain that is 9 % low
 // there.
-TEST(HarmonicExcess, OfASensorIsAllowedForInWhatAmplitudesTell) {
-  const SimulatedCampaign made = dwells("", 11);
+TEST(CubicSensor, IsAllowedForInWhatAmplitudesTell) {
+  const SimulatedCampaign made = hardening_dwells("", 11);
   double largest = 0;
   for (const Record& record : made.samples)
     for (const double y : record.channels[1]) largest = std::max(largest, std::abs(y));
   const Identification id = identified(made, [&](double y) { return y * (1 - 0.12 * std::pow(y / largest, 2)); });
-  EXPECT_TRUE(warns(id.estimate.warnings, "Where a sensor makes the difference"));
+  EXPECT_TRUE(warns(id.estimate.warnings, "a sensor which is not linear"));
   EXPECT_TRUE(holds(value_of(id.estimate, "e"), strength_told)) << *value_of(id.estimate, "e").value;
   EXPECT_TRUE(holds(value_of(id.estimate, "a3"), hardening_told)) << *value_of(id.estimate, "a3").value;
   EXPECT_TRUE(value_of(id.estimate, "e").doubtful);
 }
 
 // A shaker's harmonics are measured, and what they make of the response is no excess.
-TEST(HarmonicExcess, OfTheShakerIsNone) {
+TEST(CubicSensor, IsNotTheShaker) {
   for (const char* shaker : {"", "[shaker]\nharmonics = [0.05, 0.05]\n"}) {
-    const Identification id = identified(dwells(shaker, 12), [](double y) { return y; });
-    EXPECT_FALSE(warns(id.estimate.warnings, "Where a sensor makes the difference")) << shaker;
+    const Identification id = identified(hardening_dwells(shaker, 12), [](double y) { return y; });
+    EXPECT_FALSE(warns(id.estimate.warnings, "a sensor which is not linear")) << shaker;
     EXPECT_LT(value_of(id.estimate, "e").sd, 0.002) << shaker;
   }
 }
 
+// Mains at three times the excitation is in no phase with the motion and does not grow with it.
+TEST(CubicSensor, IsNotMainsHum) {
+  SimulatedCampaign made = hardening_dwells("", 13);
+  for (std::size_t r = 0; r < made.samples.size(); ++r) {
+    std::vector<double>& tip = made.samples[r].channels[1];
+    for (std::size_t i = 0; i < tip.size(); ++i)
+      tip[i] += 0.3 * std::cos(2 * std::numbers::pi * 60 * static_cast<double>(i) / 256 + static_cast<double>(r));
+  }
+  const Identification id = identified(std::move(made), [](double y) { return y; });
+  EXPECT_FALSE(warns(id.estimate.warnings, "a sensor which is not linear"));
+  EXPECT_TRUE(holds(value_of(id.estimate, "e"), strength_told));
+  EXPECT_LT(value_of(id.estimate, "e").sd, 0.004);
+}
+
 // What a campaign leaves open moves the predicted harmonics: that is no excess.
-TEST(SlowHarmonicExcess, OfNumbersThatAreLeftOpenIsNone) {
+TEST(SlowCubicSensor, IsNotWhatACampaignLeavesOpen) {
   const auto file = testing_support::source_folder() / "models/experiments/principal_parametric.toml";
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
   const SimulatedCampaign made = run_virtual_test(read_experiment(file, model), model, 3, 2);
@@ -105,7 +121,7 @@ TEST(SlowHarmonicExcess, OfNumbersThatAreLeftOpenIsNone) {
   request.model = "two_mass_mode1";
   const Identification id =
       identify_by_modulation(request, made.campaign, [&](std::size_t r) { return made.samples[r]; });
-  EXPECT_FALSE(warns(id.estimate.warnings, "Where a sensor makes the difference"));
+  EXPECT_FALSE(warns(id.estimate.warnings, "a sensor which is not linear"));
   EXPECT_FALSE(value_of(id.estimate, "eta1").doubtful);
   EXPECT_FALSE(value_of(id.estimate, "mu3").doubtful);
 }
