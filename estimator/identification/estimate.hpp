@@ -34,8 +34,8 @@ struct EstimatedValue {
   /// By how much an effect that the model lacks may have moved it, judged by what no parameter explains; counts as
   /// two standard deviations in sd. 0: the equations fit as well as repeats of a condition agree.
   double misfit = 0;
-  /// `misfit` dominates the error bar and is more than a tenth of the value, or the correction for the truncation
-  /// failed or has not come to rest.
+  /// May be off by more than its error bar: `misfit` is more than two standard deviations without it, or something
+  /// else that a warning of the estimate names.
   bool doubtful = false;
   std::string unit;
   bool identifiable = false;

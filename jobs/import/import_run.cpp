@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "measure/data/campaign.hpp"
+#include "measure/data/campaign_target.hpp"
 #include "measure/data/import_tables.hpp"
 #include "measure/data/names.hpp"
 
@@ -38,6 +39,7 @@ ImportedCampaign import_into(CampaignWriter& writer, const ImportOptions& option
 }  // namespace
 
 ImportRun run_import(const ImportOptions& options, const std::filesystem::path& folder, bool replace) {
+  for (const std::filesystem::path& file : options.files) check_apart(folder, file, "the file");
   CampaignWriter writer(folder, replace);
   ImportRun run;
   run.imported = import_into(writer, options, run.records);

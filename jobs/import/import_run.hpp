@@ -20,8 +20,8 @@ struct ImportRun {
   std::vector<RecordSummary> records;  ///< by record, or table
 };
 
-/// The job `import`: a campaign folder of files, or of tables of lines (kind `lines`). `replace`: what is in the
-/// folder goes. Throws InputError.
+/// The job `import`: a campaign folder of files, or of tables of lines (kind `lines`). `replace`: a campaign
+/// that stands in the folder goes. Throws InputError, also for a folder that holds what is read.
 ImportRun run_import(const ImportOptions& options, const std::filesystem::path& folder, bool replace);
 
 /// What `secular import --json` prints; `folder`: how it was named.

@@ -31,7 +31,8 @@ void load_case(const ModelSource& source, const PlanRequest& request, PlanResult
                      "dwells are planned for a case with one excitation");
 }
 
-void read_parameters(const ModelSource& source, const PlanRequest& request, PlanResult& plan) {
+// Returns what is given.
+GivenParameters read_parameters(const ModelSource& source, const PlanRequest& request, PlanResult& plan) {
   GivenParameters file = request.given ? *request.given : read_parameter_file(request.parameters);
   std::map<std::string, double>& given = file.values;
   source.take_rest_position(given, request.parameters);
@@ -50,6 +51,7 @@ void read_parameters(const ModelSource& source, const PlanRequest& request, Plan
   }
   if (!missing.empty())
     throw InputError(request.parameters, "", "gives no value for " + missing, "rough values are enough");
+  return file;
 }
 
 bool against_is_experiment(const PlanRequest& request) {
@@ -96,7 +98,7 @@ void read_sensors(const PlanRequest& request, PlanResult& plan) {
                      "a plan weighs dwells by their noise: give the sensors some");
 }
 
-void find_unknowns(const PlanRequest& request, PlanResult& plan) {
+void find_unknowns(const PlanRequest& request, const GivenParameters& given, PlanResult& plan) {
   for (const std::string& name : request.fixed)
     if (!is_lump_or_frequency(*plan.model, *plan.resonance, name))
       throw InputError(
@@ -115,12 +117,17 @@ void find_unknowns(const PlanRequest& request, PlanResult& plan) {
   }
   if (request.criterion == DesignCriterion::c && plan.wanted.size() != 1)
     throw InputError("--criterion c", "", "is for one parameter", "name one with --for");
+  // An estimate knows the units of its campaign; without one coordinates are modal ones.
+  const auto known = given.lump_units.find(std::string(plan.resonance->name));
   for (std::size_t u = 0; u < names.size(); ++u) {
     const int lump = plan.unknowns.lump[u];
     const std::span<const Ratio> dimension =
         lump >= 0 ? plan.resonance->lumps[static_cast<std::size_t>(lump)].dimension : std::span<const Ratio>();
     const std::vector<std::string> coordinates(plan.model->modes(), "kg^(1/2) m");
-    plan.units.push_back(lump < 0 ? "rad/s" : unit_text(dimension, coordinates, {"m/s^2"}));
+    if (lump >= 0 && known != given.lump_units.end() && known->second.contains(names[u]))
+      plan.units.push_back(known->second.at(names[u]));
+    else
+      plan.units.push_back(lump < 0 ? "rad/s" : unit_text(dimension, coordinates, {"m/s^2"}));
   }
 }
 
@@ -130,9 +137,9 @@ PlanResult plan_inputs(const PlanRequest& request) {
   PlanResult plan;
   const ModelSource source(request.model, false, request.note);
   load_case(source, request, plan);
-  read_parameters(source, request, plan);
+  const GivenParameters given = read_parameters(source, request, plan);
   read_sensors(request, plan);
-  find_unknowns(request, plan);
+  find_unknowns(request, given, plan);
   return plan;
 }
 

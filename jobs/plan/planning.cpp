@@ -56,9 +56,11 @@ class SearchClock {
 void find_candidates(const PlanRequest& request, const DwellEvaluation& evaluation, const SearchClock& clock,
                      PlanResult& plan) {
   if (!(request.lowest_hz < request.highest_hz) || !(request.lowest_hz > 0))
-    throw InputError("--range-frequency", "", "is empty", "LOW:HIGH in Hz, for example 24.4:25.1");
+    throw InputError("--range-frequency", "", request.lowest_hz > 0 ? "is empty" : "is not positive",
+                     "LOW:HIGH in Hz, for example 24.4:25.1");
   if (!(request.lowest_amplitude <= request.highest_amplitude) || !(request.lowest_amplitude > 0))
-    throw InputError("--range-amplitude", "", "is empty", "LOW:HIGH in the excitation's unit, for example 10:30");
+    throw InputError("--range-amplitude", "", request.lowest_amplitude > 0 ? "is empty" : "is not positive",
+                     "LOW:HIGH in the excitation's unit, for example 10:30");
   CandidateRequest grid = evaluation.grid();
   grid.progress = [&clock](std::size_t done, std::size_t total) { clock("levels searched", done, total); };
   plan.candidates = response_candidates(evaluation.field(), grid);

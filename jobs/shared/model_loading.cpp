@@ -103,6 +103,8 @@ const std::string& ModelSource::case_named(const std::string& wanted) const {
     if (outline.name == wanted) return outline.name;
     known += (known.empty() ? "" : ", ") + outline.name;
   }
+  if (wanted.empty())
+    throw InputError("--case", "", "is missing: model " + name_ + " has several", "its cases are " + known);
   throw InputError("--case " + wanted, "", "is no case of model " + name_, "its cases are " + known);
 }
 

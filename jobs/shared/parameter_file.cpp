@@ -47,6 +47,15 @@ void read_representative(const nlohmann::json& entry, const std::string& path, G
   }
 }
 
+void read_lump_units(const nlohmann::json& lumps, GivenParameters& given) {
+  const auto is_text = [](const nlohmann::json& lump, const char* key) {
+    return lump.is_object() && lump.contains(key) && lump[key].is_string();
+  };
+  for (const nlohmann::json& lump : lumps)
+    if (is_text(lump, "case") && is_text(lump, "name") && is_text(lump, "unit"))
+      given.lump_units[lump["case"].get<std::string>()][lump["name"].get<std::string>()] = lump["unit"];
+}
+
 }  // namespace
 
 GivenParameters read_parameter_file(const std::string& name) {
@@ -79,6 +88,7 @@ GivenParameters parameters_of(const std::string& text, const std::string& path) 
     if (entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0)
       given.sd[symbol] = entry["sd"].get<double>();
   }
+  if (document.contains("lumps")) read_lump_units(document["lumps"], given);
   if (document.contains("representative")) read_representative(document["representative"], path, given);
   return given;
 }

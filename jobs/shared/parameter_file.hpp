@@ -14,6 +14,8 @@ struct GivenParameters {
   std::map<std::string, double> representative;
   /// Cases whose steady motions do not depend on which values those are.
   std::set<std::string> identified_cases;
+  /// Of an estimate: by case and lump.
+  std::map<std::string, std::map<std::string, std::string>> lump_units;
 };
 
 /// An estimate.json of `identify` or a plain JSON object of symbol to number; `path` is a file, or the name of a

@@ -58,12 +58,19 @@ std::string fault_of_replaced(const fs::path& folder) {
 }
 
 std::string overlap(const fs::path& target, const fs::path& source) {
+  if (target.empty()) return {};
   const fs::path written = links_followed(target);
   const fs::path read = links_followed(source);
   if (written == read) return "is";
   if (is_within(written, read)) return "lies inside";
   if (is_within(read, written)) return "contains";
   return {};
+}
+
+void check_apart(const fs::path& target, const fs::path& source, const std::string& what) {
+  if (const std::string how = overlap(target, source); !how.empty())
+    throw InputError(target.string(), "", fmt::format("{} {} that is read ({})", how, what, source.string()),
+                     "name another place: what is read is never written to");
 }
 
 }  // namespace secular

@@ -18,7 +18,8 @@ using RecordSink = std::function<void(const Campaign& campaign, const RecordEntr
 /// std::invalid_argument if samples and campaign do not fit together.
 class CampaignWriter {
  public:
-  /// `replace`: what is in the folder goes once all is written.
+  /// `replace`: a campaign that stands there goes once all is written. InputError for anything else that stands
+  /// there (fault_of_replaced).
   explicit CampaignWriter(const std::filesystem::path& folder, bool replace = false);
   ~CampaignWriter();
   /// Writes the samples of a record; from any thread. The entry belongs into the campaign that finish() gets.

@@ -21,7 +21,7 @@ struct MeasuredSamples {
 /// a folder of it that reads the same. Throws InputError, by the campaign's name and the line of `text`.
 Campaign held_campaign(const std::string& text, std::vector<MeasuredSamples> records);
 
-/// Writes a campaign with its records to a folder, see CampaignWriter. `replace`: what is in the folder goes.
+/// Writes a campaign with its records to a folder, see CampaignWriter. `replace`: as there.
 /// Throws InputError.
 void write_campaign(const Campaign& campaign, const std::filesystem::path& folder, bool replace);
 

@@ -194,6 +194,13 @@ std::vector<DescribedChannel> describe_channels(const ImportOptions& options, co
     if (!names.insert(described.back().channel.name).second)
       throw InputError("--channel " + text, "name", "is described twice", "every channel has a name of its own");
   }
+  for (const std::string& name : options.absolute) {
+    const auto found = std::find_if(described.begin(), described.end(),
+                                    [&](const DescribedChannel& d) { return d.channel.name == name; });
+    if (found == described.end())
+      throw InputError(name, "frame", "belongs to no channel", "name a channel that is imported");
+    found->channel.frame = Frame::absolute;
+  }
   if (!any_response)
     throw InputError("--channel", "", "no channel is a response", "describe at least one with the role response");
   return described;

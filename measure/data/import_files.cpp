@@ -287,6 +287,11 @@ void note_variables(const Variables& variables, const std::vector<RecordSource>&
     if (!channel) {
       if (is_time) continue;
       imported.left_out.push_back(variable.name);
+      // Of a time that belongs to a channel ("tip.t") the begin is used (channel_delays).
+      if (time.variable.empty() && is_called_time(variable.name) && variable.name.find('.') == std::string::npos)
+        imported.warnings.push_back(fmt::format(
+            "{}: {} is called a time and is not used, since --sample-rate stands for it: --time {} takes it",
+            sources.front().path.string(), variable.name, variable.name));
       if (time.variable.empty() || !may_be_time(variable.name)) continue;
       if (auto warning = other_time(sources.front().path, variable.name, time))
         imported.warnings.push_back(std::move(*warning));

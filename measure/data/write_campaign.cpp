@@ -12,6 +12,7 @@
 #include "input/input_error.hpp"
 #include "input/whole_folder.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/data/campaign_target.hpp"
 #include "measure/data/campaign_text.hpp"
 #include "measure/data/campaign_writer.hpp"
 #include "measure/data/held_campaign.hpp"
@@ -63,14 +64,19 @@ void check_readable(const WholeFolder& building) {
   }
 }
 
-// Before long work.
+// Before long work, and again before a folder is replaced.
 void check_campaign_target(const fs::path& folder, bool replace) {
   std::error_code error;
   if (folder.empty()) throw InputError("", "", "the campaign folder has no name", "name a new folder");
   if (!fs::exists(fs::symlink_status(folder, error))) return;
-  if (!fs::is_directory(folder, error) || !(replace || fs::is_empty(folder, error)))
+  const bool is_folder = fs::is_directory(folder, error);
+  if (is_folder && fs::is_empty(folder, error)) return;
+  if (!is_folder || !replace)
     throw InputError(folder.string(), "", "exists and is not an empty folder",
                      "name a new folder or remove this one");
+  if (const std::string fault = fault_of_replaced(folder); !fault.empty())
+    throw InputError(folder.string(), "", fault,
+                     "name another folder, or remove this one yourself: campaigns alone are replaced");
 }
 
 }  // namespace
@@ -159,6 +165,7 @@ void CampaignWriter::finish(const Campaign& campaign) {
   std::string text = campaign_text(written);
   building_->folder.write("campaign.toml", [&] { return std::exchange(text, {}); });
   check_readable(building_->folder);
+  check_campaign_target(building_->named, building_->replace);
   building_->folder.finish(building_->replace);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "input/numerical_failure.hpp"
+#include "input/stop_request.hpp"
 
 namespace secular {
 namespace {
@@ -329,6 +330,7 @@ class Integration {
     double checked_time = times_.from;
     State at(x_.size());
     while (next_ < times_.count) {
+      end_if_stopped();
       if (due() <= stepper_->time()) {
         if (due() == stepper_->time())
           at = stepper_->state();

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -9,7 +8,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -110,18 +108,11 @@ std::shared_ptr<Campaign> simulated(const std::string& experiment, std::uint64_t
   }));
 }
 
-// As the commands do: never over what is read, and in the place of a campaign that a command made alone.
+// As the commands do: never over what is read.
 void save(const Campaign& campaign, const std::string& folder, bool replace) {
   const auto is_in_memory = [](const RecordEntry& entry) { return entry.held || entry.row; };
   if (!std::all_of(campaign.records.begin(), campaign.records.end(), is_in_memory))
-    if (const std::string how = overlap(folder, campaign.folder); !how.empty())
-      throw InputError(folder, "", fmt::format("{} the campaign that is read ({})", how, campaign.folder.string()),
-                       "name another place: what is read is never written to");
-  std::error_code error;
-  if (replace && std::filesystem::is_directory(folder, error) && !std::filesystem::is_empty(folder, error))
-    if (const std::string fault = fault_of_replaced(folder); !fault.empty())
-      throw InputError(folder, "", fault,
-                       "name another folder, or remove this one yourself: replace=True replaces campaigns alone");
+    check_apart(folder, campaign.folder, "the campaign");
   write_campaign(campaign, folder, replace);
 }
 

@@ -7,6 +7,7 @@ it; one that is there is built as it was configured); cmake-args, further argume
 
 import base64
 import hashlib
+import importlib.util
 import os
 import re
 import shlex
@@ -17,6 +18,13 @@ import sysconfig
 import tempfile
 import zipfile
 from pathlib import Path
+
+# Whoever imports a backend out of a source tree leaves its byte code there: that goes again.
+_BYTE_CODE = Path(importlib.util.cache_from_source(__file__))
+if _BYTE_CODE.is_file():
+    _BYTE_CODE.unlink()
+    if not any(_BYTE_CODE.parent.iterdir()):
+        _BYTE_CODE.parent.rmdir()
 
 SOURCE = Path(__file__).resolve().parents[2]
 SUMMARY = "Multiple-scales models that compile into parameter estimators for nonlinear vibration tests"

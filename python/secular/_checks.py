@@ -11,14 +11,14 @@ from typing import Mapping, Optional, Tuple
 
 import numpy as np
 
-from ._errors import InputError
+from ._errors import InputError, NumericalFailure
 
 
 def refused(argument: str, fault: str, remedy: str) -> InputError:
     return InputError(f"{argument}: {fault}; {remedy}", argument, "", fault, remedy)
 
 
-def _shown(value) -> str:
+def shown(value) -> str:
     shown = repr(value)
     return f"is {shown if len(shown) <= 40 else type(value).__name__}"
 
@@ -27,10 +27,14 @@ def real(argument: str, value, *, may_be_infinite: bool = False) -> float:
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, numbers.Real):
-        raise refused(argument, _shown(value), "give a number")
-    if math.isnan(value) or (math.isinf(value) and not may_be_infinite):
-        raise refused(argument, _shown(value), "give a finite number")
-    return float(value)
+        raise refused(argument, shown(value), "give a number")
+    try:
+        number = float(value)
+    except OverflowError:
+        raise refused(argument, "is beyond what a double holds", "give a number up to 1.8e308") from None
+    if math.isnan(number) or (math.isinf(number) and not may_be_infinite):
+        raise refused(argument, shown(value), "give a finite number")
+    return number
 
 
 def optional_real(argument: str, value, **allowed) -> Optional[float]:
@@ -39,19 +43,19 @@ def optional_real(argument: str, value, **allowed) -> Optional[float]:
 
 def whole(argument: str, value, low: int, high: int) -> int:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, numbers.Integral) or not low <= value <= high:
-        raise refused(argument, _shown(value), f"give a whole number from {low} to {high}")
+        raise refused(argument, shown(value), f"give a whole number from {low} to {high}")
     return int(value)
 
 
 def flag(argument: str, value) -> bool:
     if not isinstance(value, (bool, np.bool_)):
-        raise refused(argument, _shown(value), "give True or False")
+        raise refused(argument, shown(value), "give True or False")
     return bool(value)
 
 
 def text(argument: str, value) -> str:
     if not isinstance(value, str):
-        raise refused(argument, _shown(value), "give a text (str)")
+        raise refused(argument, shown(value), "give a text (str)")
     if any("\ud800" <= character <= "\udfff" for character in value):
         raise refused(argument, "has halves of characters (surrogates)", "give a text that UTF-8 can hold")
     return value
@@ -68,13 +72,13 @@ def names(argument: str, value) -> list[str]:
     if value is None:
         return []
     if isinstance(value, (Mapping, bytes)) or not np.iterable(value):
-        raise refused(argument, _shown(value), "give a name or a sequence of names")
+        raise refused(argument, shown(value), "give a name or a sequence of names")
     return [text(argument, name) for name in value]
 
 
 def path(argument: str, value) -> str:
     if not isinstance(value, (str, os.PathLike)):
-        raise refused(argument, _shown(value), "give a path or a name")
+        raise refused(argument, shown(value), "give a path or a name")
     return os.fsdecode(value)
 
 
@@ -82,7 +86,7 @@ def numbers_by_symbol(argument: str, value) -> dict[str, float]:
     if value is None:
         return {}
     if not isinstance(value, Mapping):
-        raise refused(argument, _shown(value), "give a dictionary of symbol to number")
+        raise refused(argument, shown(value), "give a dictionary of symbol to number")
     return {text(argument, name): real(f"{argument}, {name}", number) for name, number in value.items()}
 
 
@@ -90,7 +94,7 @@ def band(value) -> Optional[Tuple[float, float]]:
     if value is None:
         return None
     if isinstance(value, (str, Mapping)) or not np.iterable(value) or len(pair := list(value)) != 2:
-        raise refused("band_hz", _shown(value), "give (low, high), for example (20, 300)")
+        raise refused("band_hz", shown(value), "give (low, high), for example (20, 300)")
     return real("band_hz", pair[0]), real("band_hz", pair[1])
 
 
@@ -145,21 +149,21 @@ def window(records, band_hz=None, from_s=None, to_s=None) -> dict:
 def positive(argument: str, value) -> float:
     number = real(argument, value)
     if not number > 0:
-        raise refused(argument, _shown(value), "give a positive number")
+        raise refused(argument, shown(value), "give a positive number")
     return number
 
 
 def not_negative(argument: str, value) -> float:
     number = real(argument, value)
     if number < 0:
-        raise refused(argument, _shown(value), "give no negative number")
+        raise refused(argument, shown(value), "give no negative number")
     return number
 
 
 def within(argument: str, value, low: float, high: float) -> float:
     number = real(argument, value)
     if not low <= number <= high:
-        raise refused(argument, _shown(value), f"give a number from {low:g} to {high:g}")
+        raise refused(argument, shown(value), f"give a number from {low:g} to {high:g}")
     return number
 
 
@@ -179,18 +183,45 @@ def reals(argument: str, value) -> list[float]:
 def pair(argument: str, value) -> Tuple[float, float]:
     numbers_ = reals(argument, value)
     if len(numbers_) != 2:
-        raise refused(argument, _shown(value), "give (low, high)")
+        raise refused(argument, shown(value), "give (low, high)")
     return numbers_[0], numbers_[1]
 
 
 def one_of(argument: str, value, *words: str) -> str:
-    if value not in words:
-        raise refused(argument, _shown(value), "give " + " or ".join(repr(word) for word in words))
+    if not isinstance(value, str) or value not in words:
+        raise refused(argument, shown(value), "give " + " or ".join(repr(word) for word in words))
     return value
 
 
+def whole_numbers(argument: str, value, low: int, high: int) -> list[int]:
+    """One, or several."""
+    if isinstance(value, (str, Mapping)) or not np.iterable(value):
+        return [whole(argument, value, low, high)]
+    return [whole(argument, number, low, high) for number in not_empty(argument, list(value))]
+
+
+def not_empty(argument: str, values: list) -> list:
+    if not values:
+        raise refused(argument, "is empty", "give one or more")
+    return values
+
+
+def only_with(argument: str, other, options: Mapping) -> None:
+    """Refuses what belongs to `argument`, which is not given."""
+    given = [name for name, value in options.items() if value is not None]
+    if other is None and given:
+        raise refused(", ".join(given), f"belongs to {argument}, which is not given", f"give {argument}, too")
+
+
+# How the program's examples are written in Python, before options are renamed.
+_EXAMPLES = ((r"--(\w+) NAME=VALUE", r"--\1={name: value}"), (r"--(\w+) (\w+)=([\d.]+)", r'--\1={"\2": \3}'),
+             (r"--(vary|against) (\w+) (\S+) (\d[\d.]*)", r'--\1=("\2", \3, \4)'), (r"--curve (\w+)$", r'--curve="\1"'),
+             (r"(=\([^()]*\)) --", r"\1, --"), (r"LOW:HIGH", "(low, high)"),
+             (r"for example ([\d.]+):([\d.]+)", r"for example (\1, \2)"), (r"another (--channel)\b", r"other \1"))
+
+
 def in_keywords(keywords: Mapping[str, str]):
-    """Errors of a job name arguments of the function in place of the program's options.
+    """Errors of a job, and the reason of a failed result, name arguments in place of the program's options.
 
     keywords: option, without its hyphens, to argument, where that is not the same word with underscores.
     """
@@ -198,13 +229,20 @@ def in_keywords(keywords: Mapping[str, str]):
         def argument(match):
             option = match[1]
             return keywords.get(option, option.replace("-", "_"))
+        for example, written in _EXAMPLES:
+            text_ = re.sub(example, written, text_)
         return re.sub(r"(?<![\w-])--([a-z][a-z-]*[a-z])", argument, text_)
 
     def decorate(job):
         @functools.wraps(job)
         def call(*arguments, **named):
             try:
-                return job(*arguments, **named)
+                result = job(*arguments, **named)
+                if getattr(result, "reason", ""):
+                    result.reason = renamed(result.reason)
+                return result
+            except NumericalFailure as failure:
+                raise NumericalFailure(renamed(str(failure))) from None
             except InputError as error:
                 parts = [renamed(part) for part in (str(error), error.file, error.place, error.fault, error.remedy)]
                 if parts[0] == str(error):

@@ -165,18 +165,33 @@ def inspect(source: Union[Campaign, str, os.PathLike], *, records: Optional[str]
     return Inspection(_core.inspect(name, campaign, options))
 
 
+def _given_channels(channels) -> list[Union[str, Channel]]:
+    if isinstance(channels, (str, Channel)):
+        return [channels]
+    if isinstance(channels, (Mapping, bytes)) or not hasattr(channels, "__iter__"):
+        raise _checks.refused("channels", _checks.shown(channels), "give a Channel or a text for each sensor")
+    return list(channels)
+
+
 def _channel_text(channel: Union[Channel, str]) -> str:
-    if isinstance(channel, Channel):
-        return f"{channel.name}:{channel.role}:{channel.quantity}:{channel.unit}"
-    return _checks.text("channels", channel)
+    """Without its frame, which the text has no place for."""
+    if not isinstance(channel, Channel):
+        return _checks.text("channels", channel)
+    for key, value in vars(channel).items():
+        _checks.text(f"channels, {key}", value)
+    _checks.one_of("channels, frame", channel.frame, "relative", "absolute")
+    if channel.frame == "absolute" and (channel.role, channel.quantity) != ("response", "acceleration"):
+        raise _checks.refused("channels, frame", f"is 'absolute' for {channel.name}",
+                              "an absolute frame belongs to accelerations of responses")
+    return f"{channel.name}:{channel.role}:{channel.quantity}:{channel.unit}"
 
 
 def _files(value) -> list[str]:
     if isinstance(value, (str, os.PathLike)):
         return [_checks.path("files", value)]
-    if isinstance(value, Mapping) or not hasattr(value, "__iter__"):
-        raise _checks.refused("files", f"is {value!r}", "give a path or a sequence of paths")
-    return [_checks.path("files", file) for file in value]
+    if isinstance(value, (Mapping, bytes)) or not hasattr(value, "__iter__"):
+        raise _checks.refused("files", _checks.shown(value), "give a path or a sequence of paths")
+    return [_checks.path("files", file) for file in _checks.not_empty("files", list(value))]
 
 
 class Import(Result):
@@ -191,6 +206,14 @@ class Import(Result):
         self.campaign = campaign
         self.left_out: list[str] = self.data["left_out"]
         self.converted: list[dict] = self.data["converted"]
+
+    def _rows(self) -> list[tuple]:
+        return [(channel.name, channel.role, channel.quantity, channel.unit) for channel in self.campaign.channels]
+
+    def _repr_html_(self) -> str:
+        left_out = f"; left out: {', '.join(self.left_out)}" if self.left_out else ""
+        return html_table(f"{self.campaign.name}: {len(self.campaign)} records{left_out}",
+                          ("channel", "role", "quantity", "unit"), self._rows())
 
     def __repr__(self) -> str:
         left_out = f"; left out: {', '.join(self.left_out)}" if self.left_out else ""
@@ -219,12 +242,13 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
     phase_offset_deg, per_excitation, frequency_unit: of tables of lines, as `secular import --help` has them. Raises
     InputError, which says what a file cannot tell by the name of the argument.
     """
-    given = [channels] if isinstance(channels, (str, Channel)) else list(channels)
+    given = _given_channels(channels)
 
     def text(argument, value):
         return _checks.optional_text(argument, value) or ""
 
     options = dict(files=_files(files), kind=_checks.text("kind", kind), channels=[_channel_text(c) for c in given],
+                   absolute=[c.name for c in given if isinstance(c, Channel) and c.frame == "absolute"],
                    time=text("time", time), name=text("name", name), group=text("group", group),
                    sample_rate_hz=_checks.optional(_checks.positive, "sample_rate_hz", sample_rate_hz),
                    frequency_hz=_checks.reals("frequency_hz", frequency_hz),
@@ -237,6 +261,8 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
                    per_excitation=_checks.flag("per_excitation", per_excitation),
                    frequency_unit=text("frequency_unit", frequency_unit))
     replaces = _checks.flag("replace", replace)
+    if replaces:
+        _checks.only_with("folder", folder, dict(replace=replace))
     if folder is not None:
         target = _checks.path("folder", folder)
         return Import(_core.import_files(options, target, replaces), Campaign.read(target))

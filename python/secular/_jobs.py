@@ -20,8 +20,9 @@ from ._result import Result, html_table
 class Value:
     """A number with its error bar, or the reason why there is none.
 
-    value, sd, ci95: in `unit`; None where the data do not identify it. doubtful: not to be relied on. why: in words,
-    what there is to say against it; empty: nothing. definition, case: of a lump. fields: all that estimate.json says.
+    value, sd, ci95: in `unit`; None where the data do not identify it. doubtful: may be off by more than its error bar;
+    the result's notices say why. why: in words, what there is to say against it; empty: nothing. definition, case: of a
+    lump. fields: all that estimate.json says.
     """
 
     name: str
@@ -46,9 +47,7 @@ def _why(entry: dict) -> str:
         others = entry.get("entangled_with", [])
         return "not identifiable" + (", entangled with " + ", ".join(others) if others else "")
     if entry.get("doubtful"):
-        if entry.get("misfit", 0) > 0.1 * abs(entry["value"]):
-            return f"an effect that the model lacks may have moved it by {entry['misfit']:.2g} {entry['unit']}"
-        return "the correction for the expansion's truncation failed or did not come to rest"
+        return "doubtful, see notices"
     return "" if entry["significant"] else "does not differ from zero at 95 %"
 
 
@@ -140,7 +139,7 @@ class Identification(_Estimated):
 
     def _rows(self):
         return [(v.name, "" if v.value is None else f"{v.value:.6g}", "" if v.sd is None else f"{v.sd:.2g}", v.unit,
-                 ("doubtful: " if v.doubtful else "") + v.why) for v in self.values]
+                 v.why) for v in self.values]
 
     def _repr_html_(self) -> str:
         return html_table(f"Identification: {self.status} {self.reason}", ("", "value", "sd", "unit", ""), self._rows())
@@ -215,6 +214,9 @@ class Diagnosis(_Estimated):
         return "\n".join([f"<secular.Diagnosis: {self._head()}", *rows]) + ">"
 
 
+_SELECTION = {"band": "band_hz", "from": "from_s", "to": "to_s"}
+
+
 def given_parameters(parameters) -> Tuple[str, Optional[str]]:
     """(name, text of JSON) or (file, None)."""
     if isinstance(parameters, Identification):
@@ -224,6 +226,7 @@ def given_parameters(parameters) -> Tuple[str, Optional[str]]:
     return _checks.path("parameters", parameters), None
 
 
+@_checks.in_keywords(_SELECTION)
 def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, str, os.PathLike], *,
              case: Union[str, Sequence[str], None] = None, fix: Optional[Mapping[str, float]] = None,
              by: Optional[str] = None, records: Optional[str] = None, band_hz: Optional[Tuple[float, float]] = None,
@@ -238,10 +241,9 @@ def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     not depend on it. interpret: no compiled code. Raises InputError; a failure of the computation is the result's
     status.
     """
-    if by not in (None, "full-equations", "modulation-equations"):
-        raise _checks.refused("by", f"is {by!r}", "give 'full-equations' or 'modulation-equations'")
     options = dict(_checks.selection(records, band_hz, from_s, to_s, threads, interpret),
-                   cases=_checks.names("case", case), fix=_checks.numbers_by_symbol("fix", fix), by=by,
+                   cases=_checks.names("case", case), fix=_checks.numbers_by_symbol("fix", fix),
+                   by=_checks.optional(_checks.one_of, "by", by, "full-equations", "modulation-equations"),
                    refine=_checks.flag("refine", refine), bootstrap=_checks.whole("bootstrap", bootstrap, 0, 100000),
                    seed=_checks.seed(seed))
     try:
@@ -250,6 +252,7 @@ def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
         return Identification(None, str(failure))
 
 
+@_checks.in_keywords(_SELECTION)
 def diagnose(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, str, os.PathLike], *,
              parameters: Union[Identification, Mapping[str, float], str, os.PathLike, None] = None,
              without: Sequence[str] = (), records: Optional[str] = None,
@@ -269,6 +272,7 @@ def diagnose(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
         return Diagnosis(None, str(failure))
 
 
+@_checks.in_keywords({})
 def simulate(experiment: Union[str, os.PathLike], *, seed: int = 1, threads: Optional[int] = None,
              interpret: bool = False) -> Campaign:
     """A virtual test on the full equations of motion; what `secular simulate` does.

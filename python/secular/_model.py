@@ -95,6 +95,7 @@ def _sympy_term(term: dict):
     return value * expression(term["powers"]) * sympy.exp(sympy.I * phase * time)
 
 
+@_checks.in_keywords({"with": "with_effects"})
 def derive(model: Union[Model, str, os.PathLike], case: Optional[str] = None, *,
            with_effects: Sequence[str] = ()) -> Derivation:
     """Expands a model's resonance cases (second-order multiple scales).
@@ -124,7 +125,7 @@ class Evaluation(Result):
     """Numbers of a derivation.
 
     case, omega_policy; modulation: coordinate to the list of EvaluatedTerm of dA/dt (true time, eps = 1); harmonics:
-    coordinate to the list of EvaluatedTerm beyond A exp(i omega t). rate(): dA/dt at an amplitude.
+    coordinate to the list of EvaluatedTerm beyond A exp(i omega t).
     """
 
     def __init__(self, core):
@@ -161,7 +162,7 @@ class Evaluation(Result):
         return "\n".join([f"<secular.Evaluation of case {self.case}", *rows]) + ">"
 
 
-@_checks.in_keywords({})
+@_checks.in_keywords({"at": "values"})
 def evaluate(model: Union[Model, str, os.PathLike], case: str,
              values: Union[Mapping[str, float], str, os.PathLike], *, omega_policy: str = "nominal") -> Evaluation:
     """Numbers of a derivation: modulation terms and harmonics; what `secular evaluate` does.

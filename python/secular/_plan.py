@@ -119,10 +119,6 @@ class Plan(Report):
         return "\n".join([f"<secular.Plan: {self._head()}", *rows]) + ">"
 
 
-def _whole_numbers(argument: str, value) -> list[int]:
-    return [_checks.whole(argument, number, 1, 10000) for number in ([value] if isinstance(value, int) else value)]
-
-
 @_checks.in_keywords({"for": "wanted", "range-frequency": "frequency_hz", "range-amplitude": "amplitude",
                       "budget-s": "budget_s", "settle-limit": "settle_limit_s", "limit": "limit_s",
                       "sample-rate": "sample_rate_hz"})
@@ -147,10 +143,11 @@ def plan(model: Union[Model, str, os.PathLike],
     settle_limit_s are no candidates. frequencies, levels: of the grid. limit_s: wall time of the search. Raises
     InputError.
     """
+    _checks.only_with("against", against, dict(records=records))
     campaign = against._core if isinstance(against, Campaign) else None
     name = "" if against is None or campaign is not None else _checks.path("against", against)
     options = dict(_checks.window(records), case=_checks.optional_text("case", case) or "",
-                   wanted=_checks.names("wanted", wanted), fix=_checks.names("fix", fix),
+                   wanted=_checks.not_empty("wanted", _checks.names("wanted", wanted)), fix=_checks.names("fix", fix),
                    criterion=_checks.one_of("criterion", criterion, "D", "A", "c"),
                    frequency_hz=_checks.pair("frequency_hz", frequency_hz),
                    amplitude=_checks.pair("amplitude", amplitude),
@@ -158,7 +155,7 @@ def plan(model: Union[Model, str, os.PathLike],
                    noise=_checks.positive("noise", noise),
                    excitation_noise=_checks.not_negative("excitation_noise", excitation_noise),
                    dwell_scatter=_checks.not_negative("dwell_scatter", dwell_scatter),
-                   ensembles=_whole_numbers("ensembles", ensembles),
+                   ensembles=_checks.whole_numbers("ensembles", ensembles, 1, 10000),
                    ensemble_s=_checks.positive("ensemble_s", ensemble_s),
                    sample_rate_hz=_checks.positive("sample_rate_hz", sample_rate_hz),
                    least=_checks.optional(_checks.whole, "least", least, 1, 1000),

@@ -17,7 +17,8 @@ from ._result import Report, html_table, shown
 
 @dataclass(frozen=True)
 class SpecialPoint:
-    """Where stability changes or branches meet: kind "saddle_node", "threshold", "hopf", "pitchfork", ...
+    """Where stability changes or branches meet: kind "saddle-node", "threshold", "Hopf", "pitchfork",
+    "transcritical", "branch point" or "double zero".
 
     parameter: of what is varied (rad/s where it is a frequency). amplitude: by mode, peak, in the coordinate's unit.
     outside_expansion: the expansion's range ends before it. fields: all that prediction.json says.
@@ -36,8 +37,9 @@ class Branch:
 
     parameter: array (points,) of what is varied, rad/s where it is a frequency. amplitude: array points x modes, peak,
     in the coordinates' units; phase: the same, rad, at the excitation's peak. stable, outside_expansion: arrays
-    (points,) of bool. eigenvalues: by point, complex, 1/s. special_points: list of SpecialPoint. ends: why the branch
-    begins and ends where it does.
+    (points,) of bool. eigenvalues: by point, complex, 1/s. special_points: list of SpecialPoint, solutions that
+    differ in phase alone once. ends: why the branch begins and ends where it does. A closed branch may pass through
+    solutions that differ in phase alone, one behind the other: amplitudes come again, phases do not.
     """
 
     at_rest: bool
@@ -114,10 +116,22 @@ def _array(points: Sequence[dict], key: str, kind: type = float) -> np.ndarray:
     return np.array([point[key] for point in points], dtype=kind)
 
 
+def _special_points(entry: dict, name: str) -> list[SpecialPoint]:
+    """Solutions that differ in phase alone once."""
+    largest = _amplitudes(entry["points"]).max(initial=0)
+    special: list[SpecialPoint] = []
+    for at in entry["special_points"]:
+        point = SpecialPoint(at["kind"], at[name], _amplitudes([at])[0], at["outside_expansion"], at)
+        if not any(other.kind == point.kind and np.isclose(other.parameter, point.parameter, rtol=1e-6, atol=0)
+                   and np.allclose(other.amplitude, point.amplitude, rtol=1e-4, atol=1e-6 * largest)
+                   for other in special):
+            special.append(point)
+    return special
+
+
 def _branch(entry: dict, name: str) -> Branch:
     points = entry["points"]
-    special = [SpecialPoint(at["kind"], at[name], _amplitudes([at])[0], at["outside_expansion"], at)
-               for at in entry["special_points"]]
+    special = _special_points(entry, name)
     eigenvalues = [np.array([complex(*value) for value in point["eigenvalues"]]) for point in points]
     return Branch(entry["at_rest"], entry["closed"], _array(points, name), _amplitudes(points),
                   _amplitudes(points, "phase"), _array(points, "stable", bool),
@@ -182,7 +196,8 @@ class Prediction(Report):
 
     def _rows(self) -> list[tuple]:
         rows = [(f"branch {number}{', at rest' if branch.at_rest else ''}", special.kind, shown(special.parameter, 7),
-                 ", ".join(shown(a) for a in special.amplitude))
+                 ", ".join(shown(a) for a in special.amplitude) + (
+                     "  (outside of the expansion's range)" if special.outside_expansion else ""))
                 for number, branch in enumerate(self.branches, 1) for special in branch.special_points]
         rows += [(f"curve {number}", curve.kind, f"{len(curve.first)} points", "")
                  for number, curve in enumerate(self.curves, 1)]
@@ -207,7 +222,7 @@ def _range(argument: str, value) -> Optional[Tuple[str, float, float]]:
     return (_checks.text(argument, given[0]), _checks.real(argument, given[1]), _checks.real(argument, given[2]))
 
 
-@_checks.in_keywords({})
+@_checks.in_keywords({"band": "band_hz", "from": "from_s", "to": "to_s"})
 def predict(model: Union[Model, str, os.PathLike],
             parameters: Union[Identification, Mapping[str, float], str, os.PathLike], *, case: Optional[str] = None,
             vary: Optional[Tuple[str, float, float]] = None, at: Optional[Mapping[str, float]] = None,
@@ -226,6 +241,7 @@ def predict(model: Union[Model, str, os.PathLike],
     the full equations, of sweep_steps dwells. measured: a campaign whose dwells at this excitation are drawn, the part
     of it that records, band_hz, from_s and to_s say. Raises InputError.
     """
+    _checks.only_with("measured", measured, dict(records=records, band_hz=band_hz, from_s=from_s, to_s=to_s))
     directions = _checks.names("sweep", sweep)
     for direction in directions:
         _checks.one_of("sweep", direction, "up", "down")

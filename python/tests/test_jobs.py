@@ -196,3 +196,19 @@ def test_modulation_in_sympy():
     rate = secular.derive("two_mass_mode1", "principal_parametric").modulation()["v"]
     mu1, amplitude = sympy.Symbol("mu1", real=True), sympy.Symbol("A_v")
     assert sympy.expand(rate).coeff(mu1) == -amplitude  # linear damping, to first order
+
+
+def test_what_is_doubtful_is_so_for_a_reason_among_the_notices(campaign):
+    found = secular.identify(campaign, "two_mass_mode1", fix={"mu1": 0.1})  # the truth is 0.22
+    doubtful = [value for value in found.values if value.doubtful]
+    reason, = [notice for notice in found.notices if notice.startswith("doubtful because the model does not fit: ")]
+    assert doubtful and doubtful[0].name in reason
+    assert all(value.why == "doubtful, see notices" for value in doubtful) and "doubtful, see notices" in repr(found)
+
+
+def test_errors_of_identify_name_arguments(campaign):
+    for wrong, argument in (({"fix": {"zz": 1}}, "fix zz"), ({"case": "x"}, "case x"),
+                            ({"by": "full-equations", "bootstrap": 5}, "bootstrap")):
+        with pytest.raises(secular.InputError) as raised:
+            secular.identify(campaign, "two_mass_mode1", **wrong)
+        assert raised.value.file == argument and "--" not in str(raised.value)

@@ -82,6 +82,44 @@ def test_errors_of_predict_name_arguments():
         assert raised.value.file == next(iter(wrong))
 
 
+def test_examples_in_errors_are_python(identification):
+    def refusal(call, *arguments, **named):
+        with pytest.raises(secular.InputError) as raised:
+            call(*arguments, **named)
+        assert not any(word in str(raised.value) for word in ("--", "NAME=VALUE", "LOW:HIGH", "FILE")), raised.value
+        return raised.value
+
+    numbers = ("two_mass_mode1", "predictions/table_5_4")
+    sweep = dict(case="principal_parametric", vary=("Omega", 153.0, 157.0))
+    assert 'vary=("Omega", 150, 160), against=("F", 5, 30), curve="saddle_node"' in \
+        str(refusal(secular.predict, *numbers, curve="hopf", **sweep))
+    assert "at={name: value}" in \
+        str(refusal(secular.predict, *numbers, **sweep))
+    assert "is missing" in str(refusal(secular.predict, *numbers, vary=("Omega", 153.0, 157.0)))
+    assert "band_hz" in refusal(secular.predict, *numbers, at={"F": 22.5}, band_hz=(1, 2), **sweep).file
+    assert refusal(planned, records="x*").file == "records"
+    error = refusal(planned, frequency_hz=(-1, 25))
+    assert error.fault == "is not positive" and error.remedy == "(low, high) in Hz, for example (24.4, 25.1)"
+    for wrong in ({"wanted": []}, {"ensembles": []}, {"ensembles": 2.5}, {"ensembles": None},
+                  {"criterion": np.array(["D", "A"])}):
+        assert refusal(planned, **wrong).file == next(iter(wrong))
+    assert planned(ensembles=np.int64(5)).status == "done"
+    assert "mu" in refusal(secular.evaluate, DUFFING, "primary", {"mu": 10**400}).file
+
+
+def test_every_special_point_is_listed_once_as_the_command_prints_them(program, tmp_path):
+    printed = program("predict", "two_mass_mode1", "--case", "principal_parametric", "--parameters",
+                      "predictions/table_5_4", "--at", "F=22.5", "--vary", "Omega", "24.4", "25.1", "--hz", "-o",
+                      tmp_path / "out")
+    found = secular.predict("two_mass_mode1", "predictions/table_5_4", case="principal_parametric", at={"F": 22.5},
+                            vary=("Omega", 24.4, 25.1), hz=True)
+    points = [point for branch in found.branches for point in branch.special_points]
+    assert [line.split()[0] for line in printed.splitlines() if " Omega = " in line] == [point.kind for point in points]
+    assert len(points) < sum(len(branch["special_points"]) for branch in found.data["branches"])
+    outside = "(outside of the expansion's range)"
+    assert repr(found).count(outside) == printed.count(outside) == sum(point.outside_expansion for point in points)
+
+
 def test_figures_of_a_prediction(tmp_path):
     pytest.importorskip("matplotlib").use("agg")
     found = secular.predict(DUFFING, {"omega0": 10, "mu": 0.02, "alpha": 3, "eta": 1}, case="primary", at={"F": 0.5},
@@ -95,9 +133,10 @@ def test_figures_of_a_prediction(tmp_path):
 
 
 def planned(**changed):
-    arguments = dict(case="principal_parametric", frequency_hz=(24.4, 25.1), amplitude=(10, 30), budget_s=600, least=4,
+    arguments = dict(model="two_mass_mode1", parameters="predictions/table_5_4", wanted=["mu1", "mu3"],
+                     case="principal_parametric", frequency_hz=(24.4, 25.1), amplitude=(10, 30), budget_s=600, least=4,
                      frequencies=5, levels=2)
-    return secular.plan("two_mass_mode1", "predictions/table_5_4", ["mu1", "mu3"], **{**arguments, **changed})
+    return secular.plan(**{**arguments, **changed})
 
 
 def test_plan_is_the_program_s_bit_by_bit(program, tmp_path):
@@ -113,6 +152,11 @@ def test_plan_is_the_program_s_bit_by_bit(program, tmp_path):
     test = secular.simulate(found.save_experiment(tmp_path / "plan.toml"))
     assert len(test) == len(found.dwells)
     assert found.figures == ["dwells"] and "mu3" in repr(found)
+
+
+def test_a_plan_from_an_estimate_has_its_units(identification):
+    for wanted in planned(parameters=identification).wanted:
+        assert wanted.unit == identification[wanted.name].unit
 
 
 def test_a_plan_against_a_campaign_in_memory(campaign):
@@ -131,7 +175,8 @@ def test_errors_of_plan_name_arguments():
         planned(budget_s=None)
     assert raised.value.file == "budget_s, against"
     stalled = planned(limit_s=1e-6)
-    assert stalled.status == "failed" and "limit_s" not in stalled.status and stalled.programme is None
+    assert stalled.status == "failed" and stalled.programme is None
+    assert "fewer frequencies, levels or ensembles" in stalled.reason and "with limit_s" in stalled.reason
     with pytest.raises(secular.NumericalFailure):
         stalled.to_json()
 

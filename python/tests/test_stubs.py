@@ -55,3 +55,13 @@ def test_what_the_package_shows_is_there_and_explained():
         assert shown.__doc__ and not shown.__doc__.startswith(f"{name}("), name
         if inspect.isfunction(shown):
             assert all(p.annotation is not p.empty for p in inspect.signature(shown).parameters.values()), name
+
+
+def test_methods_that_classes_name_exist():
+    named = 0
+    for shown in (getattr(secular, name) for name in secular.__all__):
+        if inspect.isclass(shown):
+            for method in re.findall(r"(?<![\w.])(\w+)\(\)", shown.__doc__):
+                assert hasattr(shown, method), f"{shown.__name__}.{method}"
+                named += 1
+    assert named >= 3

@@ -148,6 +148,54 @@ def test_import_is_the_program_s(program, decay, tmp_path):
     assert np.array_equal(again[0].samples, made[0].samples)
 
 
+def test_import_replaces_a_campaign_alone_and_never_what_it_reads(decay, tmp_path):
+    def imported(file, folder):
+        return secular.import_files(file, kind="free_decay", channels="a:response:acceleration:m/s^2", folder=folder,
+                                    replace=True)
+
+    thesis = tmp_path / "thesis"
+    thesis.mkdir()
+    (thesis / "thesis.tex").write_text("all of it")
+    file = decay.save(tmp_path / "source") / "records/0001.csv"
+    with pytest.raises(secular.InputError, match="is no campaign"):
+        imported(file, thesis)
+    for folder in (tmp_path / "source", tmp_path / "source/records", tmp_path):
+        with pytest.raises(secular.InputError, match="contains the file that is read"):
+            imported(file, folder)
+    with pytest.raises(secular.InputError, match="no name"):
+        imported(file, "")
+    assert (thesis / "thesis.tex").read_text() == "all of it" and file.is_file()
+    made = decay.save(tmp_path / "made")
+    (made / "notes.txt").write_text("mine")
+    with pytest.raises(secular.InputError, match="holds notes.txt"):
+        imported(file, made)
+    (made / "notes.txt").unlink()
+    assert [channel.name for channel in imported(file, made).campaign.channels] == ["a"]
+
+
+def test_a_channel_is_imported_with_its_frame_and_any_name(tmp_path):
+    values = np.random.default_rng(0).normal(size=(100, 2))
+    np.savetxt(tmp_path / "run.csv", np.column_stack([np.arange(100) / 64, values]), delimiter=",",
+               header="t,base,tip:1=a", comments="")
+    channels = [secular.Channel("base", "excitation", "acceleration", "m/s^2"),
+                secular.Channel("tip:1=a", "response", "acceleration", "m/s^2", frame="absolute")]
+    made = secular.import_files(tmp_path / "run.csv", kind="broadband", channels=channels)
+    assert made.campaign.channels == channels and "tip:1=a" in made._repr_html_()
+    wrong = [secular.Channel("base", "excitation", "acceleration", "m/s^2", frame="absolute"), channels[1]]
+    with pytest.raises(secular.InputError, match="channels, frame: is 'absolute' for base"):
+        secular.import_files(tmp_path / "run.csv", kind="broadband", channels=wrong)
+    unused = secular.import_files(tmp_path / "run.csv", kind="broadband", channels=channels, sample_rate_hz=100)
+    assert unused.campaign.time_step_s == 0.01 and any("t is called a time" in notice for notice in unused.notices)
+
+
+@pytest.mark.parametrize("wrong", [{"channels": None}, {"channels": 3}, {"files": []}, {"files": b"run.csv"},
+                                   {"replace": True}])
+def test_arguments_of_import_are_judged(wrong):
+    with pytest.raises(secular.InputError) as raised:
+        secular.import_files(**{**dict(files="run.csv", kind="dwell", channels="u:response:displacement:m"), **wrong})
+    assert raised.value.file == next(iter(wrong))
+
+
 def test_import_asks_for_what_a_file_cannot_say_by_the_argument(tmp_path):
     np.savetxt(tmp_path / "plain.csv", np.random.default_rng(0).normal(size=(100, 2)), delimiter=",", header="u,v",
                comments="")
@@ -171,6 +219,8 @@ def test_tables_of_lines_come_into_memory(tmp_path):
                             vary=("Omega", 24.4, 25.1), hz=True, threads=1),
     lambda: secular.plan("two_mass_mode1", "predictions/table_5_4", "mu1", case="principal_parametric",
                          frequency_hz=(24.4, 25.1), amplitude=(10, 30), budget_s=3600),
+    lambda: secular.predict("two_mass_mode1", "predictions/table_5_4", case="principal_parametric", at={"F": 22.5},
+                            vary=("Omega", 24.4, 25.1), hz=True, sweep="up", sweep_steps=3000),
     lambda: secular.modal(ringing()),
     lambda: secular.spectrum(ringing(), order=8)])
 def test_ctrl_c_ends_the_others_too(job):

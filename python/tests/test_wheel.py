@@ -1,5 +1,6 @@
 """`pip install --no-build-isolation .` into a virtual environment that sees the system's packages."""
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,6 +19,13 @@ assert (package / "include/secular/estimator/model/compiled_model.hpp").is_file(
 result = secular.identify(secular.simulate("experiments/principal_parametric"), "two_mass_mode1")
 print(result["mu1"].value)
 """
+
+
+def test_the_backend_leaves_no_byte_code(tmp_path):
+    shutil.copy(SOURCE / "python/packaging/secular_wheel.py", tmp_path)
+    bare = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    subprocess.run([sys.executable, "-c", "import secular_wheel"], cwd=tmp_path, env=bare, check=True)
+    assert [file.name for file in tmp_path.iterdir()] == ["secular_wheel.py"]
 
 
 def test_a_wheel_is_installed_and_works_by_itself(tmp_path, identification):

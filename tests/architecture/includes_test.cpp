@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <regex>
 #include <set>
 #include <string>
@@ -186,6 +188,21 @@ std::vector<fs::path> committed_files() {
       files.push_back(entry->path());
   }
   return files;
+}
+
+// Of a tree that git knows; elsewhere nothing is committed.
+TEST(CommittedFiles, AreNoByteCode) {
+  if (!fs::exists(root / ".git")) GTEST_SKIP() << "no tree of git";
+  const auto listed = [](const std::string& pattern) {
+    const std::string command = "git -C '" + root.string() + "' ls-files '" + pattern + "'";
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    std::string names;
+    for (int c = pipe ? std::fgetc(pipe.get()) : EOF; c != EOF; c = std::fgetc(pipe.get()))
+      names += static_cast<char>(c);
+    return names;
+  };
+  if (listed("CMakeLists.txt").empty()) GTEST_SKIP() << "git is not there";
+  EXPECT_EQ(listed("*.pyc"), "");
 }
 
 TEST(CommittedFiles, NamePlacesOfNoMachine) {

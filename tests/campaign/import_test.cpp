@@ -67,6 +67,25 @@ TEST_F(Import, FilesWithoutTimeTakeTheSampleRate) {
   EXPECT_EQ(imported.samples[0].channels, (std::vector<std::vector<double>>{{0.5, 1}, {0.25, 2}}));
 }
 
+// A rate in place of the file's own time is what was asked for, and said.
+TEST_F(Import, ATimeThatTheSampleRateStandsForIsSaidToBeUnused) {
+  const std::size_t before = import_files(options_).campaign.records.size();
+  options_.sample_rate_hz = 200;
+  const ImportedFiles imported = import_files(options_);
+  EXPECT_EQ(imported.campaign.sample_rate_hz, 200);
+  EXPECT_EQ(imported.campaign.records.size(), before);
+  ASSERT_EQ(imported.warnings.size(), 1U);
+  EXPECT_TRUE(contains(imported.warnings[0], "t is called a time and is not used, since --sample-rate"));
+}
+
+TEST_F(Import, AFrameIsKeptAndBelongsToAChannel) {
+  options_.absolute = {"tip"};
+  for (const Channel& channel : import_files(options_).campaign.channels)
+    EXPECT_EQ(channel.frame == Frame::absolute, channel.name == "tip");
+  options_.absolute = {"top"};
+  EXPECT_TRUE(contains(complaint(), "top, frame: belongs to no channel"));
+}
+
 TEST_F(Import, AsksForWhatFilesCannotSayByTheOptionsName) {
   const ImportOptions good = options_;
   options_.kind = "";
