@@ -363,13 +363,19 @@ class SharedFit {
   }
 
   // Slopes of the truncation hold about the parameters that it was taken out with; from afar they mean nothing. So
-  // the fit comes near without them.
+  // the fit comes near without them where that leaves less of the lumps. Of fewer lumps than parameters any end is
+  // as good, and the one nearest to the start is taken.
   void fit() {
     const Index unknowns = count_ + directions_;
     VectorXd from(unknowns);
     from << result_.values, corrected_at_;
     plausible_ = plausible_sizes(cases_, result_.values, unknowns);
-    unknowns_ = fit_from(fit_on_both_sides(from).parameters, true).parameters;
+    FitReport found = fit_from(from, true);
+    if (lumps_ >= count_) {
+      FitReport near = fit_from(fit_on_both_sides(from).parameters, true);
+      if (2 * (found.cost - near.cost) > 1) found = std::move(near);
+    }
+    unknowns_ = found.parameters;
     result_.values = unknowns_.head(count_);
     result_.null_coordinate = unknowns_.tail(directions_);
     residual_.resize(rows());
