@@ -41,19 +41,18 @@ inline constexpr std::array estimator_threshold_list = {
                                    "identification/estimate_values.cpp, identification/record_scatter.cpp"},
     Threshold<EstimatorThresholds>{"setting_alarm", &EstimatorThresholds::setting_alarm, ThresholdKind::alarm,
                                    "probability", "departures at random follow the settings",
-                                   "per campaign; docs/inference.md (26), (52)",
-                                   "identification/setting_functions.cpp"},
+                                   "per campaign; docs/inference.md (26), (52), (58)",
+                                   "identification/setting_functions.cpp, motion/correction/own_frequencies.cpp"},
     Threshold<EstimatorThresholds>{
         "fewest_freedom", &EstimatorThresholds::fewest_freedom, ThresholdKind::tuned, "degrees of freedom",
         "that tell a scatter: of windows of decays, of conditions, of rows of tables",
         "a standard deviation is known to 1/sqrt(2 n), a third; docs/inference.md (6), (14)",
         "identification/lack_of_fit.cpp, identification/residual_information.cpp, regression/linear_fit.cpp, "
         "measure/observe/tabled_tones.cpp"},
-    Threshold<EstimatorThresholds>{"freedom_beside_settings", &EstimatorThresholds::freedom_beside_settings,
-                                   ThresholdKind::tuned, "degrees of freedom",
-                                   "that tell a law of frequencies from scatter",
-                                   "docs/inference.md (26): 0.8 of the variance with two functions",
-                                   "identification/setting_functions.cpp"},
+    Threshold<EstimatorThresholds>{
+        "freedom_beside_settings", &EstimatorThresholds::freedom_beside_settings, ThresholdKind::tuned,
+        "degrees of freedom", "that tell a law of frequencies from scatter",
+        "docs/inference.md (26): 0.8 of the variance with two functions", "identification/setting_functions.cpp"},
     Threshold<EstimatorThresholds>{"repeats_of_short_decays", &EstimatorThresholds::repeats_of_short_decays,
                                    ThresholdKind::tuned, "measured noise", "scatter where windows do not tell it",
                                    "draws of three short decays: right models 1.2 to 3.4, one without friction 21; "

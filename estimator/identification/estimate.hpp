@@ -99,6 +99,7 @@ struct Estimate {
   Eigen::MatrixXd covariance;
   Eigen::VectorXd parameter_sd;  ///< of `parameter_values` by the noise of the lumps; 0 where they say nothing
   std::vector<UnstatedNoise> unstated_noise;
+  bool correction_settled = true;  ///< no value moved by more than its error bar: with_unsettled_correction()
   std::vector<std::string> warnings;
   std::shared_ptr<const EstimationState> state;
 };

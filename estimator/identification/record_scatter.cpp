@@ -144,8 +144,10 @@ class Moments {
     return {1 + 2 * (count - 2) / pairs * sum, pairs / (3 * sum)};
   }
   // By record: the likeliest shift from the mean.
-  VectorXd shifts(double variance) const {
-    return variance * sums_.shown * (contrasts_ * (noise_ + variance * between_).ldlt().solve(differences_));
+  VectorXd shifts(double variance) const { return shifts_of(differences_, variance); }
+  // Of shifts() where records scatter by `variance`.
+  MatrixXd covariance(double variance) const {
+    return variance * shifts_of(contrasts_.transpose() * sums_.shown, variance);
   }
   double freedom() const { return static_cast<double>(differences_.size()); }
   double expected(double variance) const {
@@ -164,6 +166,10 @@ class Moments {
   }
 
  private:
+  MatrixXd shifts_of(const MatrixXd& differences, double variance) const {
+    return variance * sums_.shown * (contrasts_ * (noise_ + variance * between_).ldlt().solve(differences));
+  }
+
   const RecordSums& sums_;
   VectorXd differences_;
   MatrixXd contrasts_, noise_, between_;
@@ -209,6 +215,7 @@ std::optional<ScatterBetweenRecords> scatter_of(const RecordSums& sums) {
   scatter.high = sd([&](double t) { return moments.tail(t, factor) - (1 - tail_share); });
   const VectorXd shifts = moments.shifts(variance) / std::sqrt(sums.unit);
   scatter.shifts.assign(shifts.begin(), shifts.end());
+  scatter.covariance = moments.covariance(variance) / sums.unit;
   return scatter;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct ScatterBetweenRecords {
   double p_value = 1;                ///< of records that do not differ
   std::vector<std::size_t> records;  ///< indices into Campaign::records
   std::vector<double> shifts;        ///< by record: its likeliest distance from the mean of all
+  Eigen::MatrixXd covariance;        ///< of `shifts`, where records scatter at random by `sd`
 };
 
 }  // namespace secular

@@ -26,6 +26,7 @@ constexpr double dependent_function = 1e-6;
 
 MatrixXd independent_functions(const std::vector<VectorXd>& of_records) {
   const auto count = static_cast<Index>(of_records.size());
+  if (of_records.empty()) return MatrixXd(0, 0);
   MatrixXd independent = MatrixXd::Constant(count, 1, 1 / std::sqrt(static_cast<double>(count)));
   for (Index s = 1; s < of_records.front().size(); ++s) {
     VectorXd function(count);
@@ -40,6 +41,7 @@ MatrixXd independent_functions(const std::vector<VectorXd>& of_records) {
 }
 
 Following follows_settings(const VectorXd& own, const MatrixXd& functions, double tests) {
+  if (own.size() == 0) return Following::too_few;
   const ExplainedVariation explained = explained_variation(own, functions);
   if (explained.rank < 2 || explained.freedom < freedom_beside_settings || !(explained.left > 0))
     return Following::too_few;

@@ -7,7 +7,7 @@ namespace secular {
 
 /// Orthonormal functions of records, one row a record, from what may matter of each record, most often first; the
 /// first is the constant. The first of those that are independent, no more than leave as many degrees of freedom as
-/// they take.
+/// they take. Of no records none.
 Eigen::MatrixXd independent_functions(const std::vector<Eigen::VectorXd>& of_records);
 
 enum class Following { at_random, settings, too_few };

@@ -133,6 +133,7 @@ Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, cons
     widen(latest.parameters[p], std::abs(next(static_cast<Index>(p)) - before(static_cast<Index>(p))));
   const VectorXd change = (lumps_of(latest.cases, next) - lumps_of(latest.cases, before)).cwiseAbs();
   for (std::size_t l = 0; l < latest.lumps.size(); ++l) widen(latest.lumps[l], change(static_cast<Index>(l)));
+  latest.correction_settled = moved.empty();
   if (!moved.empty())
     latest.warnings.push_back("the correction for the expansion's truncation has not come to rest, doubtful: " +
                               short_list(moved));

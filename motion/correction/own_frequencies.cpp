@@ -11,9 +11,11 @@
 
 #include "estimator/identification/estimation.hpp"
 #include "estimator/identification/instrument_motions.hpp"
+#include "estimator/identification/record_order.hpp"
 #include "estimator/identification/record_scatter.hpp"
 #include "estimator/identification/setting_functions.hpp"
 #include "estimator/identification/unsupported_values.hpp"
+#include "estimator/thresholds.hpp"
 #include "measure/data/campaign_clock.hpp"
 #include "measure/observe/common_observations.hpp"
 
@@ -24,6 +26,8 @@ using Eigen::VectorXd;
 
 /// Weights hang on the scatter; as few values as there are records do not tell it better.
 constexpr double same_scatter = 0.1;
+/// That shifts at random are taken to follow an order of their records.
+constexpr auto& order_alarm = estimator_thresholds().setting_alarm;
 /// The second one has instruments by numbers that scatter has not biased.
 constexpr int fewest_scatter_rounds = 2, most_scatter_rounds = 5;
 
@@ -61,27 +65,31 @@ VectorXd level_and_frequency(double /*amplitude*/, double level, double frequenc
 }
 
 // Whether what a mode's natural frequency is off in each record comes at random, beside the motions that the
-// records would have without, where these are found. Of these the amplitude does not follow it.
+// records would have without, where these are found, of half of the records at least. Of these the amplitude does
+// not follow it.
 bool comes_at_random(const ObservationSet& set, const std::vector<InstrumentMotion>& common,
                      const ScatterBetweenRecords& scatter, const Campaign& campaign, double tests) {
   const std::vector<double> times = record_times(campaign);
   std::vector<double> own;
+  std::vector<DwellPlace> places;
   std::vector<VectorXd> by_amplitude, by_frequency;
   for (std::size_t r = 0; r < scatter.records.size(); ++r) {
     const auto i = static_cast<std::size_t>(
         std::find_if(set.observations.begin(), set.observations.end(),
                      [&](const Observation& at) { return at.record == scatter.records[r]; }) -
         set.observations.begin());
-    if (!common[i].found) continue;
     const Observation& o = set.observations[i];
+    const double frequency = o.excitation_frequency.front();
     double level = 0;
     for (const std::complex<double>& force : o.forcing) level = std::hypot(level, std::abs(force));
-    const double amplitude = std::abs(common[i].amplitude[scatter.mode]),
-                 frequency = o.excitation_frequency.front();
+    places.push_back({campaign.records[o.record].excitation_amplitude.value_or(level), frequency, times[o.record]});
+    if (!common[i].found) continue;
+    const double amplitude = std::abs(common[i].amplitude[scatter.mode]);
     own.push_back(scatter.shifts[r]);
     by_amplitude.push_back(amplitude_and_level(amplitude, level, frequency, times[o.record]));
     by_frequency.push_back(level_and_frequency(amplitude, level, frequency, times[o.record]));
   }
+  if (2 * own.size() <= places.size() || tests * order_p_value(scatter, places) < order_alarm) return false;
   const VectorXd values = Eigen::Map<const VectorXd>(own.data(), static_cast<Eigen::Index>(own.size()));
   const auto at_random = [&](const std::vector<VectorXd>& functions) {
     return follows_settings(values, independent_functions(functions), 2 * tests) == Following::at_random;
@@ -181,6 +189,7 @@ void let_frequencies_differ(std::vector<ObservationSet>& sets, const EstimateTas
     if (freed.corrected.empty()) return;
     told = what_dwells_tell(freed, task, modes);
   }
+  if (!freed.estimate.correction_settled) return;
   if (!cases_with_lack_of_fit(freed.estimate).empty() || freed.estimate.consistency.significant) return;
   if (!std::all_of(told.begin(), told.end(), [](const Told& here) { return instruments_tell(here.fit); })) return;
   if (!come_at_random(told, task.campaign)) return;

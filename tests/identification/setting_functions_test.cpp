@@ -22,6 +22,9 @@ TEST(SettingFunctions, AreOrthonormalAndIndependentAndTakeNoMoreThanTheyLeave) {
   EXPECT_TRUE((functions.transpose() * functions).isIdentity(1e-12));
   EXPECT_EQ(independent_functions(records(6)).cols(), 3);
   EXPECT_EQ(independent_functions(records(3)).cols(), 1);
+  const Eigen::MatrixXd of_none = independent_functions({});
+  EXPECT_EQ(of_none.size(), 0);
+  EXPECT_EQ(follows_settings(Eigen::VectorXd(0), of_none), Following::too_few);
 }
 
 TEST(SettingFunctions, WhatIsMadeOfThemFollowsThem) {
