@@ -48,16 +48,21 @@ Sources sources_of(const FollowingLaw& law, const Estimate& estimate, std::vecto
   return sources;
 }
 
-// By coefficient the sum of squares of what its first-order change leaves of that along the directions; infinite
-// where it has no value on a side.
-std::vector<double> squared_deviations(const FollowingLaw& law, const Sources& sources,
-                                       const std::vector<FollowingCoefficient>& follow) {
-  std::vector<double> squares(follow.size(), 0.0);
+// Along principal directions (rows), of what follows (columns): the change to first order, and what that leaves of
+// it on the worse side; infinite where there is no value.
+struct Changes {
+  Eigen::MatrixXd linear, off;
+};
+
+Changes changes_of(const FollowingLaw& law, const Sources& sources,
+                   const std::vector<FollowingCoefficient>& follow) {
+  const auto columns = static_cast<Eigen::Index>(follow.size());
+  Changes changes{Eigen::MatrixXd::Zero(sources.sd.size(), columns),
+                  Eigen::MatrixXd::Zero(sources.sd.size(), columns)};
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(sources.correlation);
   for (Eigen::Index d = 0; d < sources.sd.size(); ++d) {
     const double length = std::sqrt(std::max(0.0, principal.eigenvalues()(d)));
     const Eigen::VectorXd q = length * sources.sd.cwiseProduct(principal.eigenvectors().col(d));
-    std::vector<double> worst(follow.size(), 0.0);
     for (const double side : {-1.0, 1.0}) {
       Numbers moved = sources.values;
       for (std::size_t i = 0; i < sources.names.size(); ++i)
@@ -70,18 +75,14 @@ std::vector<double> squared_deviations(const FollowingLaw& law, const Sources& s
         for (std::size_t i = 0; i < sources.names.size(); ++i)
           if (const auto slope = follow[c].slopes.find(sources.names[i]); slope != follow[c].slopes.end())
             linear += slope->second * side * q(static_cast<Eigen::Index>(i));
-        const double off = same == there.end() ? INFINITY : std::abs(same->value - follow[c].value - linear);
-        worst[c] = std::max(worst[c], off);
+        const double left = same == there.end() ? INFINITY : std::abs(same->value - follow[c].value - linear);
+        const auto column = static_cast<Eigen::Index>(c);
+        changes.linear(d, column) = std::abs(linear);
+        changes.off(d, column) = std::max(changes.off(d, column), left);
       }
     }
-    for (std::size_t c = 0; c < follow.size(); ++c) squares[c] += worst[c] * worst[c];
   }
-  return squares;
-}
-
-bool share_a_number(const FollowingCoefficient& a, const FollowingCoefficient& b, const Sources& sources) {
-  return std::any_of(sources.names.begin(), sources.names.end(),
-                     [&](const std::string& name) { return a.slopes.contains(name) && b.slopes.contains(name); });
+  return changes;
 }
 
 }  // namespace
@@ -101,11 +102,16 @@ std::vector<FollowingEstimate> following_estimates(const FollowingLaw& law, cons
                     [&](const EstimatedValue& v) { return v.doubtful && coefficient.slopes.contains(v.name); });
     result.push_back({coefficient.name, coefficient.value, std::sqrt(std::max(0.0, variance)), doubtful});
   }
-  const std::vector<double> off = squared_deviations(law, sources, follow);
-  for (std::size_t c = 0; c < follow.size(); ++c) {
-    if (!(std::sqrt(off[c]) > largest_following_deviation * result[c].sd)) continue;
-    for (std::size_t other = 0; other < follow.size(); ++other)
-      if (other == c || share_a_number(follow[c], follow[other], sources)) result[other].doubtful = true;
+  const Changes changes = changes_of(law, sources, follow);
+  for (Eigen::Index c = 0; c < changes.off.cols() && changes.off.rows() > 0; ++c) {
+    Eigen::Index worst = 0;
+    changes.off.col(c).maxCoeff(&worst);
+    if (!(changes.off.col(c).norm() > largest_following_deviation * result[static_cast<std::size_t>(c)].sd))
+      continue;
+    for (Eigen::Index other = 0; other < changes.off.cols(); ++other) {
+      FollowingEstimate& same = result[static_cast<std::size_t>(other)];
+      if (other == c || changes.linear(worst, other) > largest_following_deviation * same.sd) same.doubtful = true;
+    }
   }
   return result;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "estimator/identification/estimate.hpp"
-#include "perturb/following_coefficient.hpp"
+#include "jobs/shared/model_loading.hpp"
 
 namespace secular {
 
