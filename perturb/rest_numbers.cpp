@@ -15,7 +15,7 @@
 namespace secular {
 namespace {
 
-constexpr int most_newton_steps = 50;
+constexpr int most_newton_steps = 50, most_downhill_steps = 200;
 // Newton's method has converged where a step is below rounding of the position.
 constexpr double newton_rounding = 1e-13;
 // The load grows in steps between these shares of it.
@@ -93,6 +93,7 @@ class StaticForces {
       for (const GiNaC::ex& x : unknowns_) slopes_.push_back(force.diff(GiNaC::ex_to<GiNaC::symbol>(x)));
     for (std::size_t k = 0; k < rest.symbols.size(); ++k)
       squares_.push_back((rest.stiffness[k] / rest.inertia[k]).subs(functions).subs(known));
+    for (const GiNaC::ex& inertia : rest.inertia) inertia_.push_back(inertia.subs(functions).subs(known));
   }
 
   std::size_t size() const { return modes_.size(); }
@@ -101,12 +102,18 @@ class StaticForces {
   std::vector<double> at(const std::vector<double>& x) const { return values(forces_, x); }
   // Squares of natural frequencies, by mode.
   std::vector<double> squares(const std::vector<double>& x) const { return values(squares_, x); }
+  std::vector<double> inertia(const std::vector<double>& x) const { return values(inertia_, x); }
 
-  // Solves slopes(x) * step = right; nothing where that is singular. `sign`: of the determinant.
-  std::optional<std::vector<double>> solved(const std::vector<double>& x, std::vector<double> right,
-                                            int& sign) const {
+  // Solves (slopes(x) + shift * inertia(x)) * step = right; nothing where that is singular. `sign`: of the
+  // determinant.
+  std::optional<std::vector<double>> solved(const std::vector<double>& x, std::vector<double> right, int& sign,
+                                            double shift = 0) const {
     std::vector<double> a = values(slopes_, x);
     const std::size_t n = size();
+    if (shift > 0) {
+      const std::vector<double> masses = inertia(x);
+      for (std::size_t k = 0; k < n; ++k) a[k * n + k] += shift * masses[modes_[k]];
+    }
     sign = 1;
     for (std::size_t c = 0; c < n; ++c) {
       std::size_t pivot = c;
@@ -140,7 +147,7 @@ class StaticForces {
   }
 
   std::vector<std::size_t> modes_;
-  GiNaC::exvector unknowns_, forces_, slopes_, squares_;
+  GiNaC::exvector unknowns_, forces_, slopes_, squares_, inertia_;
 };
 
 double largest(const std::vector<double>& x) {
@@ -172,56 +179,105 @@ std::string position_text(const RestPosition& rest, const StaticForces& forces, 
   return text;
 }
 
-// From zero while the load grows: F(x) = (1 - share) F(0).
-std::vector<double> loaded_position(const RestPosition& rest, const StaticForces& forces,
-                                    const std::string& where) {
-  std::vector<double> x(forces.size(), 0.0);
-  const std::vector<double> unloaded = forces.at(x);
-  if (!std::isfinite(largest(unloaded)))
-    throw InputError(where, "", "the model's forces have no value where coordinates are zero",
-                     "say near which position it rests: give " + rest.symbols[forces.mode(0)] + " a number, too");
+// F(x) = (1 - share) F(start): how far the load that would hold `start` can be taken away.
+struct Continuation {
+  std::vector<double> x;
+  double share = 0;
+};
+
+// From `start`, while the determinant of the slopes keeps its sign: up to a fold at most. Nothing where there are
+// no forces or no stiffness at the start.
+std::optional<Continuation> continued(const StaticForces& forces, std::vector<double> start) {
+  Continuation c{std::move(start), 0};
+  const std::vector<double> held = forces.at(c.x);
   int sign = 0, now = 0;
-  if (!forces.solved(x, unloaded, sign))
-    throw InputError(where, "", "the model has no stiffness at zero, where it rests without its load",
-                     "say near which position it rests: give " + rest.symbols[forces.mode(0)] + " a number, too");
-  double share = 0, step = first_load_step;
-  while (share < 1) {
-    const double next = std::min(1.0, share + step);
-    std::vector<double> right(unloaded.size()), offset(unloaded.size());
+  if (!std::isfinite(largest(held)) || !forces.solved(c.x, held, sign)) return std::nullopt;
+  for (double step = first_load_step; c.share < 1 && step >= least_load_step;) {
+    const double next = std::min(1.0, c.share + step);
+    std::vector<double> right(held.size()), offset(held.size());
     for (std::size_t k = 0; k < right.size(); ++k) {
-      right[k] = -(next - share) * unloaded[k];
-      offset[k] = (1 - next) * unloaded[k];
+      right[k] = -(next - c.share) * held[k];
+      offset[k] = (1 - next) * held[k];
     }
-    const auto tangent = forces.solved(x, right, now);
+    const auto tangent = forces.solved(c.x, right, now);
     std::optional<std::vector<double>> found;
     if (tangent && now == sign) {
-      std::vector<double> start = x;
-      for (std::size_t k = 0; k < x.size(); ++k) start[k] += (*tangent)[k];
-      found = newton(forces, start, offset);
+      std::vector<double> ahead = c.x;
+      for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += (*tangent)[k];
+      found = newton(forces, ahead, offset);
       if (found) {
         double off = 0;
-        for (std::size_t k = 0; k < x.size(); ++k) off = std::max(off, std::abs((*found)[k] - start[k]));
+        for (std::size_t k = 0; k < ahead.size(); ++k) off = std::max(off, std::abs((*found)[k] - ahead[k]));
         int after = 0;
         if (off > largest_deviation * largest(*tangent) || !forces.solved(*found, right, after) || after != sign)
           found.reset();
       }
     }
     if (found) {
-      x = std::move(*found);
-      share = next;
+      c = {std::move(*found), next};
       step *= 2;
-    } else if ((step /= 2) < least_load_step) {
-      throw InputError(
-          where, "",
-          fmt::format("no rest position is reached from zero: the load is held up to {:.4g} of it, at {}", share,
-                      position_text(rest, forces, x)),
-          "lower the load, or say near which position it rests: give " + rest.symbols[forces.mode(0)] +
-              " a number, too");
+    } else {
+      step /= 2;
     }
   }
-  return x;
+  return c;
 }
 
+std::string near_which(const RestPosition& rest, const StaticForces& forces) {
+  return "say near which position it rests: give " + rest.symbols[forces.mode(0)] + " a number, too";
+}
+
+// From zero while the load grows from nothing.
+std::vector<double> loaded_position(const RestPosition& rest, const StaticForces& forces,
+                                    const std::string& where) {
+  const std::vector<double> zero(forces.size(), 0.0);
+  const std::optional<Continuation> found = continued(forces, zero);
+  if (!found)
+    throw InputError(where, "",
+                     std::isfinite(largest(forces.at(zero)))
+                         ? "the model has no stiffness at zero, where it rests without its load"
+                         : "the model's forces have no value where coordinates are zero",
+                     near_which(rest, forces));
+  if (found->share < 1)
+    throw InputError(
+        where, "",
+        fmt::format("no rest position is reached from zero: the load is held up to {:.4g} of it, at {}",
+                    found->share, position_text(rest, forces, found->x)),
+        "lower the load, or " + near_which(rest, forces));
+  return found->x;
+}
+
+// What stiffness divided by inertia says of small motions about x.
+bool is_stable(const StaticForces& forces, const std::vector<double>& x) {
+  const std::vector<double> squares = forces.squares(x), inertia = forces.inertia(x);
+  int sign = 0;
+  if (!forces.solved(x, x, sign)) return false;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(squares[forces.mode(i)] > 0)) return false;
+    if (inertia[forces.mode(i)] < 0) sign = -sign;
+  }
+  return sign > 0;
+}
+
+// The stable rest position that the model slides to from x, by implicit steps of M x' = -F(x) that grow where it is
+// stable.
+std::optional<std::vector<double>> downhill(const StaticForces& forces, std::vector<double> x) {
+  double shift = 0;
+  for (int i = 0, sign = 0; i < most_downhill_steps; ++i) {
+    const bool stable = is_stable(forces, x);
+    shift = stable ? shift / 4 : 2 * largest(forces.squares(x));
+    std::vector<double> right = forces.at(x);
+    for (double& force : right) force = -force;
+    if (!std::isfinite(largest(right)) || !std::isfinite(shift)) return std::nullopt;
+    const auto step = forces.solved(x, right, sign, shift);
+    if (!step) return std::nullopt;
+    if (stable && largest(*step) <= 1e-9 * largest(x)) return x;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += (*step)[k];
+  }
+  return std::nullopt;
+}
+
+// docs/inference.md (R5).
 std::vector<double> given_position(const RestPosition& rest, const StaticForces& forces, const Numbers& values,
                                    const std::string& where) {
   std::vector<double> start;
@@ -229,11 +285,20 @@ std::vector<double> given_position(const RestPosition& rest, const StaticForces&
     const auto entry = values.find(rest.symbols[forces.mode(i)]);
     start.push_back(entry == values.end() ? 0.0 : entry->second);
   }
-  const auto found = newton(forces, start, std::vector<double>(start.size(), 0.0));
-  if (!found)
-    throw InputError(where, "", "no rest position is found near " + position_text(rest, forces, start),
-                     "correct the numbers, or leave the rest position out to find that which is reached from zero");
-  return *found;
+  std::string wrong = "no rest position is found near " + position_text(rest, forces, start);
+  if (std::isfinite(largest(forces.at(start)))) {
+    const bool stable = is_stable(forces, start);
+    const std::optional<Continuation> found = stable ? continued(forces, start) : std::nullopt;
+    if (found && found->share == 1) return found->x;
+    wrong += found ? fmt::format(": on the way to one the model stops to be stable, at {}",
+                                 position_text(rest, forces, found->x))
+                   : ": the model is not stable there";
+  }
+  const auto other = downhill(forces, start);
+  const std::string known = other ? position_text(rest, forces, *other) : std::string();
+  throw InputError(where, "", wrong + (known.empty() ? "" : "; it rests at " + known),
+                   known.empty() ? "give a number where the model is stable, or correct the others"
+                                 : "give that, if it is the one, or correct the numbers");
 }
 
 GiNaC::exmap known_numbers(const RestPosition& rest, const Numbers& values) {
@@ -271,15 +336,16 @@ std::vector<FollowingCoefficient> following_coefficients(const Model& model, con
   return result;
 }
 
-void take_rest_position(const Model& model, std::map<std::string, double>& values, const std::string& where) {
-  if (!model.rest) return;
+std::string take_rest_position(const Model& model, std::map<std::string, double>& values,
+                               const std::string& where) {
+  if (!model.rest) return {};
   const RestPosition& rest = *model.rest;
   std::string given, open, follow;
   const auto list = [](std::string& names, const std::string& name) {
     names += (names.empty() ? "" : ", ") + name;
   };
   for (const HeldCoefficient& held : rest.held) list(values.count(held.name) ? given : open, held.name);
-  if (given.empty()) return;
+  if (given.empty()) return {};
   for (const std::string& name : rest.frequency)
     if (!name.empty()) {
       list(follow, name);
@@ -313,12 +379,16 @@ void take_rest_position(const Model& model, std::map<std::string, double>& value
       throw InputError(where, "",
                        fmt::format("the rest position {} is not stable: the square of {} is {:.6g} there",
                                    position_text(rest, forces, x), model.frequency_name(k), squares[k]),
-                       "correct the numbers, or say near which position it rests: give " +
-                           rest.symbols[forces.mode(0)] + " a number, too");
+                       "correct the numbers, or " + near_which(rest, forces));
   for (std::size_t i = 0; i < x.size(); ++i) values[rest.symbols[forces.mode(i)]] = x[i];
-  for (std::size_t k = 0; k < squares.size(); ++k)
-    if (!rest.frequency[k].empty()) values[rest.frequency[k]] = std::sqrt(squares[k]);
+  std::string found = "rests at " + position_text(rest, forces, x);
+  for (std::size_t k = 0; k < squares.size(); ++k) {
+    if (rest.frequency[k].empty()) continue;
+    values[rest.frequency[k]] = std::sqrt(squares[k]);
+    found += fmt::format(", {} = {:.6g} rad/s", rest.frequency[k], std::sqrt(squares[k]));
+  }
   for (const HeldCoefficient& held : rest.held) values.erase(held.name);
+  return where + ": the model " + found;
 }
 
 }  // namespace secular

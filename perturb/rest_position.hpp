@@ -56,10 +56,12 @@ Model about_rest(Model stated, const std::vector<std::string>& asked);
 /// Numbers of coefficients as stated become those of the model about its rest position: where `values` gives all
 /// coefficients that follow, they give way to the rest position and the natural frequencies. Of several rest
 /// positions it is the one that is reached from zero while the load grows from nothing or, where `values` gives a
-/// rest position as well, the one near that. `values` that give none of these coefficients stay. Numbers that
-/// `values` lacks are the model's nominal ones. `where` is what messages call the values. Throws InputError where
-/// some are missing, or the model has no rest position there or is not stable in it.
-void take_rest_position(const Model& model, std::map<std::string, double>& values, const std::string& where);
+/// rest position as well, the one near that: what is reached from there, by stable positions alone, while the load
+/// that would hold it there is taken away (docs/inference.md (R5)). `values` that give none of these coefficients
+/// stay. Numbers that `values` lacks are the model's nominal ones. `where` is what messages call the values. Throws
+/// InputError where some are missing, or the model has no rest position there or is not stable in it. Returns what
+/// it found, in words.
+std::string take_rest_position(const Model& model, std::map<std::string, double>& values, const std::string& where);
 
 /// The values of functions at rest that go with the rest position and the coefficients among `values`, beside them.
 void add_values_at_rest(const Model& model, std::map<std::string, double>& values);

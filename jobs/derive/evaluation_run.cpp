@@ -17,10 +17,11 @@ Evaluation evaluate(const EvaluationRequest& request) {
   const Derivation derivation = derive(model, model.find_case(request.resonance),
                                        request.omega_kept ? OmegaPolicy::kept : OmegaPolicy::nominal);
   std::map<std::string, double> values = request.values;
-  take_rest_position(model, values, request.values_name);
+  const std::string rest = take_rest_position(model, values, request.values_name);
   std::map<std::string, double> at = values;
   add_values_at_rest(model, at);
   Evaluation found;
+  if (!rest.empty()) found.warnings.push_back(rest);
   found.json = evaluation_json(derivation, at, request.values_name);
   std::set<std::string, std::less<>> known;
   for (const auto& [name, value] : values)

@@ -11,6 +11,7 @@
 #include "diagnose/verdict/full_estimate.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/record_lateness.hpp"
+#include "jobs/identify/following_estimates.hpp"
 #include "jobs/shared/model_loading.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/disturbances/disturbance.hpp"
@@ -38,13 +39,6 @@ struct IdentificationRequest {
   std::optional<Equations> by = {};  ///< none: chosen from the records
   NoteSink note = {};                ///< of loading the model
   SearchProgress progress = {};      ///< of the full equations: fits so far, of about how many
-};
-
-/// A coefficient that follows from the rest position and other estimates (perturb/rest_position.hpp).
-struct FollowingEstimate {
-  std::string name;
-  double value = 0, sd = 0;
-  bool doubtful = false;  ///< one of those that it follows from is
 };
 
 /// Everything that a run of `identify` found, before it is written.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/input_error.hpp"
+#include "jobs/identify/following_estimates.hpp"
 #include "jobs/identify/full_equations.hpp"
 #include "jobs/identify/identification.hpp"
 #include "jobs/shared/left_out.hpp"
@@ -67,33 +68,6 @@ Equations equations_of(const IdentificationRequest& request, const Campaign& cam
   return Equations::modulation;
 }
 
-// By their slopes: first-order propagation of the estimates' covariance.
-std::vector<FollowingEstimate> following_estimates(const ModelSource& source, const Estimate& estimate) {
-  std::map<std::string, double> values;
-  std::map<std::string, Eigen::Index> places;
-  for (std::size_t p = 0; p < estimate.parameters.size(); ++p) {
-    const EstimatedValue& value = estimate.parameters[p];
-    if (!value.value || !(value.fixed || value.identifiable)) continue;
-    values[value.name] = *value.value;
-    if (!value.fixed) places[value.name] = static_cast<Eigen::Index>(p);
-  }
-  std::vector<FollowingEstimate> result;
-  for (const FollowingCoefficient& coefficient : source.following_coefficients(values)) {
-    double variance = 0;
-    const bool doubtful =
-        std::any_of(estimate.parameters.begin(), estimate.parameters.end(),
-                    [&](const EstimatedValue& v) { return v.doubtful && coefficient.slopes.contains(v.name); });
-    for (const auto& [row, a] : coefficient.slopes)
-      for (const auto& [column, b] : coefficient.slopes) {
-        if (!places.contains(row) || !places.contains(column)) continue;
-        const double sd = estimate.parameters[static_cast<std::size_t>(places[row])].sd;
-        variance += a * b * (row == column ? sd * sd : estimate.covariance(places[row], places[column]));
-      }
-    result.push_back({coefficient.name, coefficient.value, std::sqrt(std::max(0.0, variance)), doubtful});
-  }
-  return result;
-}
-
 }  // namespace
 
 Identification identify(const IdentificationRequest& request, const Campaign& campaign) {
@@ -104,7 +78,11 @@ Identification identify(const IdentificationRequest& request, const Campaign& ca
   std::vector<std::string>& warnings = id.estimate.warnings;
   warnings.insert(warnings.begin(), left_out.begin(), left_out.end());
   id.mostly_left_out = lost_records(id, request.window);
-  id.following = following_estimates(ModelSource(request.model, request.interpret, {}), id.estimate);
+  id.following = following_estimates(
+      [source = ModelSource(request.model, request.interpret, {})](const std::map<std::string, double>& values) {
+        return source.following_coefficients(values);
+      },
+      id.estimate);
   return id;
 }
 

@@ -129,7 +129,9 @@ std::vector<std::string> ModelSource::following_names() const {
 }
 
 void ModelSource::take_rest_position(std::map<std::string, double>& values, const std::string& where) const {
-  if (about_rest_) secular::take_rest_position(model(), values, where);
+  if (!about_rest_) return;
+  const std::string found = secular::take_rest_position(model(), values, where);
+  if (!found.empty() && note_) note_(found);
 }
 
 std::vector<FollowingCoefficient> ModelSource::following_coefficients(

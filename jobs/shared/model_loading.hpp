@@ -79,7 +79,8 @@ class ModelSource {
 
   /// Of a model about its rest position: the coefficients that its file states in place of some of its symbols.
   std::vector<std::string> following_names() const;
-  /// See secular::take_rest_position; nothing for a model whose coordinates count from zero.
+  /// See secular::take_rest_position, and a note of what it found; nothing for a model whose coordinates count from
+  /// zero.
   void take_rest_position(std::map<std::string, double>& values, const std::string& where) const;
   /// See secular::following_coefficients.
   std::vector<FollowingCoefficient> following_coefficients(const std::map<std::string, double>& values) const;

@@ -82,6 +82,73 @@ TEST(AutomaticOrder, IsRefusedWhereOneCoefficientWouldNeedTwo) {
   }
 }
 
+Model at_rest(const std::string& law, const std::string& order) {
+  return read_model_text(
+      "schema = 1\nname = \"m\"\nreference = \"rest\"\n[[mode]]\ncoordinate = \"x\"\nfrequency = "
+      "\"w\"\nequation = \"D2(x) + 2*mu*D(x) + k*x + " +
+          law + " + e*F*cos(Omega*t)\"\n[[case]]\nname = \"c\"\nrelations = [\"Omega = w + eps^2*s\"]\norder = " +
+          order + "\n",
+      "rest");
+}
+
+// Rest positions and what stands inside functions and denominators bear no order: damping and excitation do.
+TEST(AutomaticOrder, AboutRestIsThatOfDampingAndExcitation) {
+  using Orders = std::map<std::string, int>;
+  for (const auto& [law, orders] :
+       std::map<std::string, Orders>{{"0*x = c/(d - x)^2", {{"mu", 2}, {"e", 2}}},
+                                     {"exp(b*x) = g + 1", {{"mu", 2}, {"e", 2}}},
+                                     {"a*x^3 + m*x*D(x) = g", {{"mu", 2}, {"e", 2}, {"m", 1}}},
+                                     {"v*sinh(D(x)/u) + a*sin(b*x) = g", {{"mu", 2}, {"e", 2}, {"v", 2}}}}) {
+    const Model model = at_rest(law, "\"auto\"");
+    EXPECT_EQ(model.cases[0].order, orders) << law;
+    EXPECT_TRUE(certify(derive(model, model.cases[0])).holds) << law;
+  }
+}
+
+// Functions count by their series, also beside an excitation.
+TEST(AutomaticOrder, OfFunctionsIsThatOfTheirSeries) {
+  const auto order = [](const std::string& equation) {
+    const Model model = one_case(equation, "order = \"auto\"\nrelations = [\"Omega = 2*w + eps^2*s\"]\n");
+    EXPECT_TRUE(certify(derive(model, model.cases[0])).holds) << equation;
+    return model.cases[0].order;
+  };
+  using Orders = std::map<std::string, int>;
+  EXPECT_EQ(order("D2(x) + w^2*sin(x) + 2*mu*D(x) = h*F*cos(Omega*t)*sin(x)"), (Orders{{"mu", 2}, {"h", 2}}));
+  EXPECT_EQ(order("D2(x) + w^2*x + c*(sin(x) - x) + mu*sinh(D(x)) = 0*F*cos(Omega*t)*x + h*F*cos(Omega*t)*x"),
+            (Orders{{"mu", 2}, {"h", 2}}));
+}
+
+// Damping balances the first nonlinear term where that comes in.
+TEST(AutomaticOrder, IsThatOfTheFirstNonlinearTerm) {
+  for (const auto& [law, order] : std::map<std::string, int>{{"b*x^5", 4},
+                                                             {"b*x^3 + c*x^5", 2},
+                                                             {"b*x^2", 2},
+                                                             {"b*x^4", 4},
+                                                             {"b*(sin(x) - x)", 2},
+                                                             {"b*x^5*cos(x)", 4}}) {
+    const Model model = one_case("D2(x) + w^2*x + 2*mu*D(x) + " + law + " = e*F*cos(Omega*t)",
+                                 "order = \"auto\"\nexpand_to = 4\nrelations = [\"Omega = w/5 + eps^4*s\"]\n");
+    EXPECT_EQ(model.cases[0].order, (std::map<std::string, int>{{"mu", order}})) << law;
+  }
+}
+
+// What is refused has a table that is not.
+TEST(AutomaticOrder, TheTableThatItAdvisesIsTaken) {
+  const std::string equation = "D2(x) + w^2*x + 2*mu*D(x) + c*D(x) + c*x^3 + a*x^2 = e*F*cos(Omega*t)",
+                    relation = "relations = [\"Omega = w + eps^2*s\"]\norder = ";
+  try {
+    one_case(equation, relation + "\"auto\"\n");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string& advice = error.right();
+    const std::size_t begin = advice.find("{ ");
+    ASSERT_NE(begin, std::string::npos) << error.what();
+    const Model model = one_case(equation, relation + advice.substr(begin) + "\n");
+    EXPECT_EQ(model.cases[0].order, (std::map<std::string, int>{{"a", 1}, {"c", 2}, {"e", 2}, {"mu", 2}}));
+    EXPECT_TRUE(certify(derive(model, model.cases[0])).holds);
+  }
+}
+
 // A detuning beyond the expansion is told.
 TEST(AutomaticOrder, OfADetuningIsToldWhereItIsBeyondTheExpansion) {
   const Model model = one_case("D2(x) + w^2*x + 2*mu*D(x) + b*x^3 = e*F*cos(Omega*t)",

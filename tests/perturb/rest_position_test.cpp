@@ -210,6 +210,32 @@ TEST(RestPosition, OfSeveralItIsTheOneAskedFor) {
   EXPECT_NEAR(buckled.nominal.at("w"), std::numbers::sqrt2, 1e-14);
 }
 
+// -x + x^3 = g is stable outside 1/sqrt(3) and has its fold at |g| = 2/(3*sqrt(3)), 0.3849.
+TEST(RestPosition, ANumberLeadsToNoOtherWell) {
+  for (const double g : {-0.5, -0.39, -0.38, 0.2, 0.39})
+    for (const double start : {-3.0, -0.6, 0.5, 0.6, 1.5}) {
+      std::map<std::string, double> values = {{"k", 1}, {"a3", 1}, {"g", g}, {"x_rest", start}};
+      const bool is_there = std::abs(start) > 1 / std::numbers::sqrt3 && (start * g > 0 || std::abs(g) < 0.3849);
+      const Model model = resting_model("D2(x) - k*x + a3*x^3 = g", "");
+      try {
+        const std::string said = take_rest_position(model, values, "values");
+        EXPECT_TRUE(is_there) << g << " " << start;
+        const double x = values.at("x_rest");
+        EXPECT_NEAR(x * x * x - x, g, 1e-13);
+        EXPECT_GT(x * start, 0);
+        EXPECT_NE(said.find("rests at x_rest = "), std::string::npos) << said;
+      } catch (const InputError& error) {
+        EXPECT_FALSE(is_there) << error.what();
+        EXPECT_NE(std::string(error.what()).find("no rest position is found near"), std::string::npos);
+        if (std::abs(g) > 0.3849) {
+          EXPECT_NE(error.wrong().find(g > 0 ? "it rests at x_rest = 1.1" : "it rests at x_rest = -1.1"),
+                    std::string::npos)
+              << error.what();
+        }
+      }
+    }
+}
+
 TEST(RestPosition, WhatIsWrongIsSaidWithNumbers) {
   const auto complaint = [](const std::string& text) -> std::string {
     try {
@@ -229,7 +255,7 @@ TEST(RestPosition, WhatIsWrongIsSaidWithNumbers) {
            {resting("D2(x) + k*x + x_rest*x^3 = g", ""), "the name x_rest of the rest position of 'x' is taken"},
            {resting(soft, "k = 1\na3 = 1\ng = 0.5"), "the load is held up to 0.7698 of it, at x_rest = 0.577"},
            {resting(soft, "k = 1\na3 = 1\ng = 0.1\nx_rest = 0.9"),
-            "x_rest = 0.945649 is not stable: the square of w is"},
+            "near x_rest = 0.9: the model is not stable there; it rests at x_rest = 0.101"},
            {resting("D2(x) - k*x + a3*x^3 = g", "k = 1\na3 = 1\ng = 0.1"), "is not stable"},
            {resting("D2(x) + k*log(1 + x) = g", "k = 1\ng = 1\nx_rest = -3"),
             "no rest position is found near x_rest = -3"},
