@@ -102,8 +102,9 @@ std::vector<FollowingEstimate> following_estimates(const FollowingLaw& law, cons
                     [&](const EstimatedValue& v) { return v.doubtful && coefficient.slopes.contains(v.name); });
     result.push_back({coefficient.name, coefficient.value, std::sqrt(std::max(0.0, variance)), doubtful});
   }
+  if (follow.empty() || sources.names.empty()) return result;
   const Changes changes = changes_of(law, sources, follow);
-  for (Eigen::Index c = 0; c < changes.off.cols() && changes.off.rows() > 0; ++c) {
+  for (Eigen::Index c = 0; c < changes.off.cols(); ++c) {
     Eigen::Index worst = 0;
     changes.off.col(c).maxCoeff(&worst);
     if (!(changes.off.col(c).norm() > largest_following_deviation * result[static_cast<std::size_t>(c)].sd))
