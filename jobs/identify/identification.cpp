@@ -154,13 +154,12 @@ void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTas
     for (EstimatedValue& value : id.estimate.parameters)
       value.doubtful = value.doubtful || (value.value && !value.fixed);
   }
-  id.estimate.warnings.push_back(
-      fmt::format("case {}: beyond what model and excitation make, the responses' third harmonic grows as the cube "
-                  "of the motion, "
-                  "to {:.2g} % of it, as that of a sensor which is not linear. Such a sensor's amplitudes are "
-                  "{:.2g} % off there: "
-                  "{}. Where it is the structure's (a law that the model lacks), `secular diagnose` looks for it",
-                  sensor->resonance->name, 100 * std::abs(sensor->third), 300 * std::abs(sensor->third), allowed));
+  id.estimate.warnings.push_back(fmt::format(
+      "case {}: beyond what model and excitation make, the responses' third harmonic grows as the cube "
+      "of the motion, to {:.2g} % of it, as that of a sensor which is not linear. Such a sensor's amplitudes are "
+      "{:.2g} % off there: {}. Where it is the structure's (a law that the model lacks), `secular diagnose` looks "
+      "for it",
+      sensor->resonance->name, 100 * std::abs(sensor->third), 300 * std::abs(sensor->third), allowed));
 }
 
 }  // namespace

@@ -338,10 +338,8 @@ std::string identification_report(const Identification& id, const Figure& respon
       "Physical parameters of the model as far as these data determine them. A parameter in the second column's "
       "words \"not identifiable\" cannot be told apart from those it is entangled with: no number is given for it. "
       "Standard deviations have two parts: by noise, from the scatter between test conditions, and what is left "
-      "open, the "
-      "bias that the expansion's truncation may have where entangled parameters act beyond it (another measurement "
-      "of "
-      "the same kind would not change that part).");
+      "open, the bias that the expansion's truncation may have where entangled parameters act beyond it (another "
+      "measurement of the same kind would not change that part).");
   add_values(page, id.estimate, false, frequencies);
   add_following(page, id);
   add_pairs(page, id.estimate, frequencies);

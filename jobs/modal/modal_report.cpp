@@ -166,8 +166,7 @@ Figure response_figure(const ModalSurvey& survey, const SurveyReference& referen
 
 constexpr const char* stabilisation_caption =
     "Poles of realizations of rising order above the spectrum of the responses. A pole is stable where the next "
-    "lower "
-    "order has one of nearly the same frequency, damping and shape; a mode is a chain of such poles.";
+    "lower order has one of nearly the same frequency, damping and shape; a mode is a chain of such poles.";
 constexpr const char* shape_caption = "Normal modes lie on the real axis. Bars: two standard deviations.";
 
 constexpr std::size_t most_amplitude_figures = 6;

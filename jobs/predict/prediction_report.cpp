@@ -420,8 +420,7 @@ std::string verdict_of(const Prediction& prediction) {
   if (largest == 0 && std::isfinite(least_beyond))
     return fmt::format(
         "Over {} every stable response of {} but rest lies outside of the range of the expansion (peak amplitudes "
-        "of "
-        "{} and more), where its numbers are not to be relied upon; {}.",
+        "of {} and more), where its numbers are not to be relied upon; {}.",
         range, name, report::format_number(least_beyond, 3), change);
   if (largest == 0)
     return fmt::format("Over {} no stable response of {} but rest was found; {}.", range, name, change);

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <optional>
 
-#include "estimator/model/block_frequency.hpp"
 #include "estimator/model/zero_frequency.hpp"
 #include "input/input_error.hpp"
 #include "measure/observe/dwell_resonance.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "measure/observe/observation_set.hpp"
+#include "measure/observe/observed_blocks.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/observe/related_tones.hpp"
 #include "measure/observe/response_tones.hpp"
@@ -334,7 +334,7 @@ class DwellObserver {
     std::vector<std::ptrdiff_t> of_block(resonance_.blocks.size(), -1);
     for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
       if (!(o.harmonic_sd[b] >= 0)) continue;
-      const double f = std::abs(observed_frequency(o, resonance_.blocks[b]));
+      const double f = std::abs(block_frequency(resonance_.blocks[b], o));
       const auto near = std::find_if(lines.begin(), lines.end(), [&](double l) { return std::abs(l - f) < apart; });
       if (f < apart || near == lines.begin()) continue;
       of_block[b] = near - lines.begin();
@@ -350,15 +350,9 @@ class DwellObserver {
     for (std::size_t b = 0; b < resonance_.blocks.size(); ++b) {
       if (of_block[b] < 0) continue;
       const Complex line = 2.0 * fit.amplitude(of_block[b], 0);
-      o.forcing_harmonic[b] = observed_frequency(o, resonance_.blocks[b]) < 0 ? std::conj(line) : line;
+      o.forcing_harmonic[b] = block_frequency(resonance_.blocks[b], o) < 0 ? std::conj(line) : line;
       o.forcing_harmonic_sd[b] = 2 * window_.noise_factor(rate) * fit.amplitude_sd(of_block[b], 0);
     }
-  }
-
-  static double observed_frequency(const Observation& o, const RegressorBlock& block) {
-    return block_frequency(block, [&](std::size_t i) {
-      return i < o.rate.size() ? o.rate[i].imag() : o.excitation_frequency[i - o.rate.size()];
-    });
   }
 
   // Whether all oscillating modes have frequencies that can be seen apart from the excitation's harmonics.

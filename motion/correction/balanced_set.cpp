@@ -3,27 +3,20 @@
 #include <algorithm>
 #include <span>
 
+#include "measure/observe/record_ranges.hpp"
 #include "motion/correction/mean_motion.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
-namespace {
-
-// Of a replay, whose ensembles are alike, the mean is each of them.
-Observation mean_of(std::span<const Observation> observations, const ObservationSet& set) {
-  return set.resonance->excited ? mean_motion(observations, *set.model, *set.resonance) : observations.front();
-}
-
-}  // namespace
-
 BalancedSet::BalancedSet(const ObservationSet& set, unsigned threads)
     : set_(set), motions_(*set.model, *set.resonance), threads_(threads) {
-  const std::vector<Observation>& all = set.observations;
-  for (std::size_t begin = 0; begin < all.size();) {
-    std::size_t end = begin + 1;
-    while (set.resonance->excited && end < all.size() && all[end].record == all[begin].record) ++end;
-    groups_.push_back({mean_of(std::span(all).subspan(begin, end - begin), set), begin, end, std::nullopt});
-    begin = end;
+  const std::span<const Observation> all = set.observations;
+  if (set.resonance->excited) {
+    for (const RecordRange& dwell : ranges_of_records(all))
+      groups_.push_back(
+          {mean_motion(dwell.of(all), *set.model, *set.resonance), dwell.begin, dwell.end, std::nullopt});
+  } else {
+    for (std::size_t i = 0; i < all.size(); ++i) groups_.push_back({all[i], i, i + 1, std::nullopt});
   }
 }
 

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "estimator/identification/predicted_harmonics.hpp"
-#include "estimator/model/block_frequency.hpp"
 #include "estimator/thresholds.hpp"
+#include "measure/observe/observed_blocks.hpp"
+#include "measure/observe/record_ranges.hpp"
 #include "motion/correction/balanced_motions.hpp"
 #include "motion/correction/mean_motion.hpp"
 #include "numerics/distribution.hpp"
@@ -55,7 +56,7 @@ class ThirdHarmonics {
                without = motions_.amplitude_of(mode, block.phase, *plain);
     if (!with || !without) return std::nullopt;
     const Complex motion = shown(o.amplitude[mode], own, derivatives_);
-    const double f = frequency_of(block, o);
+    const double f = block_frequency(block, o);
     // To the phase and in the unit of the motion's cube over its squared modulus.
     const Complex unit =
         shown(1, f, derivatives_) * std::pow(std::conj(motion) / std::abs(motion), 3) / std::abs(motion);
@@ -119,12 +120,6 @@ class ThirdHarmonics {
     return sum;
   }
 
-  static double frequency_of(const RegressorBlock& block, const Observation& o) {
-    return block_frequency(block, [&](std::size_t i) {
-      return i < o.rate.size() ? o.rate[i].imag() : o.excitation_frequency[i - o.rate.size()];
-    });
-  }
-
   std::size_t largest_mode(const Observation& o) const {
     std::size_t found = 0;
     double most = -1;
@@ -142,7 +137,7 @@ class ThirdHarmonics {
       const RegressorBlock& block = set_.resonance->blocks[b];
       if (block.kind == BlockKind::harmonic && static_cast<std::size_t>(block.mode) == mode &&
           o.harmonic_sd[b] >= 0 && o.forcing_harmonic_sd[b] >= 0 &&
-          std::abs(frequency_of(block, o) / o.rate[mode].imag() - 3) < 1e-3)
+          std::abs(block_frequency(block, o) / o.rate[mode].imag() - 3) < 1e-3)
         return b;
     }
     return std::nullopt;
@@ -203,13 +198,10 @@ std::optional<CubicSensor> cubic_sensor(std::span<const ObservationSet> measured
   for (const ObservationSet& set : measured) {
     const ThirdHarmonics harmonics(set, estimate, derivatives);
     if (!harmonics.known()) continue;
-    std::vector<std::span<const Observation>> records;
-    for (std::size_t begin = 0, end = 0; begin < set.observations.size(); begin = end) {
-      while (end < set.observations.size() && set.observations[end].record == set.observations[begin].record) ++end;
-      records.push_back(std::span(set.observations).subspan(begin, end - begin));
-    }
+    const std::vector<RecordRange> records = ranges_of_records(set.observations);
     std::vector<std::optional<ThirdHarmonic>> all(records.size());
-    in_parallel(all.size(), threads, [&](std::size_t i) { all[i] = harmonics.of(records[i]); });
+    in_parallel(all.size(), threads,
+                [&](std::size_t i) { all[i] = harmonics.of(records[i].of(set.observations)); });
     std::vector<ThirdHarmonic> dwells;
     for (std::optional<ThirdHarmonic>& one : all)
       if (one && one->sd > 0) dwells.push_back(std::move(*one));

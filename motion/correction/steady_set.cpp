@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "measure/observe/record_ranges.hpp"
 #include "motion/correction/mean_motion.hpp"
 #include "numerics/in_parallel.hpp"
 
@@ -114,13 +115,12 @@ SteadySet::SteadySet(const ObservationSet& measured, unsigned threads)
       modes_(mode_frequencies(*measured.model, *measured.resonance)),
       threads_(threads) {
   if (!measured.resonance->excited) throw std::invalid_argument("a free decay has no steady motion");
-  const std::vector<Observation>& all = measured.observations;
-  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-    while (end < all.size() && all[end].record == all[begin].record) ++end;
+  const std::span<const Observation> all = measured.observations;
+  for (const RecordRange& range : ranges_of_records(all)) {
     Dwell dwell;
-    dwell.begin = begin;
-    dwell.end = end;
-    dwell.latest = mean_motion(std::span(all).subspan(begin, end - begin), *measured.model, *measured.resonance);
+    dwell.begin = range.begin;
+    dwell.end = range.end;
+    dwell.latest = mean_motion(range.of(all), *measured.model, *measured.resonance);
     dwells_.push_back(std::move(dwell));
   }
 }

@@ -14,6 +14,7 @@
 #include "generated/registry.hpp"
 #include "jobs/identify/identification.hpp"
 #include "motion/simulate/experiment.hpp"
+#include "tests/app/hardening_oscillator.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 #include "tests/process_folder.hpp"
 
@@ -25,30 +26,9 @@ using testing_support::warns;
 
 constexpr double strength_told = 1, hardening_told = 2.5e8;
 
-// A hardening oscillator of 20 Hz on a moving base, twelve dwells at two levels.
+// Twelve dwells at two levels.
 SimulatedCampaign hardening_dwells(const std::string& shaker, std::uint64_t seed) {
-  std::string text = R"(schema = 1
-name = "dwells"
-model = "duffing"
-sample_rate_hz = 256.0
-[parameters]
-omega0 = 125.66370614359172
-mu = 1.0
-a2 = 0.0
-a3 = 2.5e8
-e = 1.0
-[excitation]
-name = "base"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.01
-[[response]]
-name = "tip"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.02
-)" + shaker;
-  text += R"([[dwell]]
+  const std::string text = testing_support::hardening_oscillator + shaker + R"([[dwell]]
 frequencies_hz = [19.7, 19.85, 20.0, 20.1, 20.2, 20.35]
 amplitudes = [0.2, 0.4]
 settle_s = 12.0

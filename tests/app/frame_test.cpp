@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "measure/data/campaign.hpp"
+#include "tests/app/hardening_oscillator.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/campaign/temporary_folder.hpp"
 #include "tests/campaign/write_campaign.hpp"
@@ -15,27 +16,7 @@
 namespace secular {
 namespace {
 
-constexpr const char* frame_experiment_text = R"toml(schema = 1
-name = "duff"
-model = "duffing"
-sample_rate_hz = 256.0
-[parameters]
-omega0 = 125.66370614359172
-mu = 1.0
-a2 = 0.0
-a3 = 2.5e8
-e = 1.0
-[excitation]
-name = "base"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.01
-[[response]]
-name = "tip"
-quantity = "acceleration"
-unit = "m/s^2"
-noise_sd = 0.02
-[[dwell]]
+const std::string frame_experiment_text = std::string(testing_support::hardening_oscillator) + R"toml([[dwell]]
 frequencies_hz = [19.7, 19.9, 20.0, 20.1, 20.3]
 amplitudes = [0.1, 0.4]
 ensembles = 3
