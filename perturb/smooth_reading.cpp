@@ -77,6 +77,12 @@ void require_smooth_at_rest(const SmoothCall& call, const Model& model, const Fo
            "take its value at rest out: a*sqrt(1 + (x/a)^2) for sqrt(a^2 + x^2), b + log(1 + x/a) for log(a + x)");
 }
 
+// base^power. GiNaC's own error for 0^-1 leaves its object behind.
+GiNaC::ex finite_power(const GiNaC::ex& base, int power) {
+  if (power < 0 && base.is_zero()) throw GiNaC::pole_error("division by zero", -power);
+  return GiNaC::pow(base, power);
+}
+
 }  // namespace
 
 GiNaC::ex value_at_rest(const SmoothFunction& function) {
@@ -87,7 +93,7 @@ GiNaC::ex value_at_rest(const SmoothFunction& function) {
       return 1;
     case SmoothKind::power: {
       const auto [numerator, denominator] = function.exponent();
-      return denominator == 1 ? GiNaC::pow(value_at_rest(function.argument()), static_cast<int>(numerator)) : 1;
+      return denominator == 1 ? finite_power(value_at_rest(function.argument()), static_cast<int>(numerator)) : 1;
     }
     default:
       return 0;
@@ -99,7 +105,7 @@ GiNaC::ex value_at_rest(const TermSum& sum) {
   for (const auto& [product, coefficient] : sum.terms()) {
     GiNaC::ex value = coefficient;
     for (const auto& [factor, power] : product)
-      value *= factor.kind == Factor::Kind::smooth ? GiNaC::pow(value_at_rest(factor.function), power) : 0;
+      value *= factor.kind == Factor::Kind::smooth ? finite_power(value_at_rest(factor.function), power) : 0;
     whole += value;
   }
   return whole.expand();
