@@ -40,7 +40,7 @@ class ManyProcesses : public testing::Test {
            "ranks() { n=$1; shift; exec mpirun --oversubscribe -n $n " +
                mpi_ + " \"$@\"; }\n" + script;
     const int ended = std::system(("cd " + folder_.string() + " && S=" + testing_support::program() +
-                                   " timeout 60 bash script.sh > shell.txt 2>&1 < /dev/null")
+                                   " timeout 300 bash script.sh > shell.txt 2>&1 < /dev/null")
                                       .c_str());
     return WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
   }
