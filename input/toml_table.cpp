@@ -202,6 +202,21 @@ std::vector<std::vector<double>> TomlTable::number_rows(std::string_view key) co
   return rows;
 }
 
+std::vector<std::vector<std::string>> TomlTable::string_rows(std::string_view key) const {
+  const toml::node& node = required(*this, node_, key, "an array of rows of strings");
+  if (!node.is_array()) fail(key, "is " + kind_name(node), "an array of rows of strings was expected");
+  std::vector<std::vector<std::string>> rows;
+  for (const toml::node& row : *node.as_array()) {
+    if (!row.is_array()) fail(key, "holds " + kind_name(row), "an array of rows of strings was expected");
+    std::vector<std::string>& values = rows.emplace_back();
+    for (const toml::node& element : *row.as_array()) {
+      if (!element.is_string()) fail(key, "holds " + kind_name(element), "strings were expected");
+      values.push_back(element.as_string()->get());
+    }
+  }
+  return rows;
+}
+
 TomlTable TomlTable::table(std::string_view key) const {
   const toml::node& node = required(*this, node_, key, "a table");
   if (!node.is_table()) fail(key, "is " + kind_name(node), "a table was expected");

@@ -43,11 +43,12 @@ class TomlTable {
   std::string string_or(std::string_view key, std::string fallback) const;
   std::optional<double> optional_number(std::string_view key) const;
   bool boolean_or(std::string_view key, bool fallback) const;
-  std::vector<std::string> strings(std::string_view key) const;              ///< array of strings
-  std::vector<double> numbers(std::string_view key) const;                   ///< array of numbers
-  std::vector<std::vector<double>> number_rows(std::string_view key) const;  ///< array of arrays of numbers
-  TomlTable table(std::string_view key) const;                               ///< [key], which must be there
-  std::vector<TomlTable> tables(std::string_view key) const;                 ///< [[key]]; empty if absent
+  std::vector<std::string> strings(std::string_view key) const;                   ///< array of strings
+  std::vector<double> numbers(std::string_view key) const;                        ///< array of numbers
+  std::vector<std::vector<double>> number_rows(std::string_view key) const;       ///< array of arrays of numbers
+  std::vector<std::vector<std::string>> string_rows(std::string_view key) const;  ///< array of arrays of strings
+  TomlTable table(std::string_view key) const;                                    ///< [key], which must be there
+  std::vector<TomlTable> tables(std::string_view key) const;                      ///< [[key]]; empty if absent
 
   /// Throws InputError for the first key of this table that is not in `known`.
   void refuse_unknown_keys(const std::vector<std::string_view>& known) const;

@@ -84,6 +84,10 @@ void add_import_command(CLI::App* command, Action& chosen) {
                       "says ms, us, min, ...");
   command->add_option("--sample-rate", import.sample_rate_hz, "samples a second, where no variable holds time");
   command->add_option("--name", import.name, "name of the campaign (default: of the first file)");
+  command->add_option(
+      "--geometry", import.geometry,
+      "universal file whose nodes and trace lines the report of `secular modal` draws (default: those "
+      "of a first FILE that holds any)");
   command->add_option("--group", import.group, "what the records have in common");
   command
       ->add_option("--frequency", import.frequencies_hz, "nominal excitation frequency in Hz: one, or one a file")

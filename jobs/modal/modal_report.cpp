@@ -12,6 +12,7 @@
 #include "numerics/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
+#include "report/structure_drawing.hpp"
 
 namespace secular {
 namespace {
@@ -168,6 +169,10 @@ constexpr const char* stabilisation_caption =
     "Poles of realizations of rising order above the spectrum of the responses. A pole is stable where the next "
     "lower order has one of nearly the same frequency, damping and shape; a mode is a chain of such poles.";
 constexpr const char* shape_caption = "Normal modes lie on the real axis. Bars: two standard deviations.";
+
+constexpr const char* drawing_caption =
+    "Solid and dashed: both ends of the motion; grey: at rest. Points without a sensor do not move. A click sets it "
+    "going.";
 
 constexpr std::size_t most_amplitude_figures = 6;
 
@@ -340,6 +345,27 @@ void add_responses(report::HtmlReport& page, const ModalSurvey& survey) {
   add_masses(page, survey);
 }
 
+// Each mode on the structure, where the campaign says where its channels are.
+void add_drawings(report::HtmlReport& page, const ModalSurvey& survey) {
+  if (!survey.campaign.geometry || survey.campaign.geometry->sensors.empty()) return;
+  const Geometry& geometry = *survey.campaign.geometry;
+  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+    const SurveyMode& mode = survey.modes[r];
+    report::StructureDrawing drawing;
+    drawing.title = fmt::format("{}: {} Hz", mode_name(r), report::format_number(mode.natural_frequency_hz, 4));
+    drawing.id = "structure-" + mode_name(r);
+    for (const Geometry::Point& point : geometry.points) drawing.points.push_back(point.at);
+    drawing.motion.resize(geometry.points.size());
+    drawing.lines = geometry.lines;
+    for (const Geometry::Sensor& sensor : geometry.sensors)
+      for (std::size_t c = 0; c < survey.channels.size(); ++c)
+        if (survey.channel_name(static_cast<Index>(c)) == sensor.channel)
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            drawing.motion[sensor.point][axis] += sensor.direction[axis] * mode.shape.mean(static_cast<Index>(c));
+    page.drawing(report::structure_drawing(drawing), drawing.title, drawing_caption);
+  }
+}
+
 // What warnings say of modes that one damped motion does not explain, in short.
 std::string doubts_of(const ModalSurvey& survey) {
   std::vector<std::string> doubtful;
@@ -409,6 +435,7 @@ std::string modal_report(const ModalSurvey& survey, const std::string& command) 
       "or those of the estimate (impacts).");
   add_shapes(page, survey);
   page.figure(shape_figure(survey), shape_caption);
+  add_drawings(page, survey);
   add_matrix(page, survey.mac, modes, modes, "Modal assurance criterion between the modes");
   if (std::any_of(survey.modes.begin(), survey.modes.end(),
                   [](const SurveyMode& m) { return m.amplitude.has_value(); }))

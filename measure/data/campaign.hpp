@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/data/geometry.hpp"
 #include "measure/data/line_row.hpp"
 #include "measure/formats/quantity.hpp"
 
@@ -71,6 +72,7 @@ struct Campaign {
   std::vector<Channel> channels;
   std::optional<ModalBasis> modal_basis;
   std::vector<RecordEntry> records;
+  std::optional<Geometry> geometry{};
 };
 
 /// What a channel's file holds before its recording begins or after it has ended.

@@ -2,52 +2,22 @@
 
 #include <utility>
 
-#include "measure/formats/number_table.hpp"
+#include "measure/data/geometry_text.hpp"
+#include "measure/data/toml_text.hpp"
 
 namespace secular {
-namespace {
-
-std::string quoted(const std::string& text) {
-  static const char* const hex = "0123456789ABCDEF";
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      result += std::string("\\") + c;
-    else if (code < 0x20 || code == 0x7f)
-      result += std::string("\\u00") + hex[code / 16] + hex[code % 16];
-    else
-      result += c;
-  }
-  return result + "\"";
-}
-
-// TOML floats need a point or an exponent to stay floats.
-std::string toml_number(double value) {
-  std::string text = number_text(value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string quoted_list(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + quoted(name);
-  return "[" + text + "]";
-}
-
-}  // namespace
-
 std::string campaign_text(const Campaign& campaign) {
   std::string text =
-      "schema = 1\nname = " + quoted(campaign.name) + "\n" +
+      "schema = 1\nname = " + toml_string(campaign.name) + "\n" +
       (campaign.sample_rate_hz > 0 ? "sample_rate_hz = " + toml_number(campaign.sample_rate_hz) + "\n" : "");
   for (const Channel& channel : campaign.channels)
-    text += "\n[[channel]]\nname = " + quoted(channel.name) + "\nrole = " + quoted(to_string(channel.role)) +
-            "\nquantity = " + quoted(to_string(channel.quantity)) + "\nunit = " + quoted(channel.unit) + "\n" +
-            (channel.frame == Frame::absolute ? "frame = \"absolute\"\n" : "");
+    text += "\n[[channel]]\nname = " + toml_string(channel.name) +
+            "\nrole = " + toml_string(to_string(channel.role)) +
+            "\nquantity = " + toml_string(to_string(channel.quantity)) + "\nunit = " + toml_string(channel.unit) +
+            "\n" + (channel.frame == Frame::absolute ? "frame = \"absolute\"\n" : "");
   if (campaign.modal_basis) {
-    text += "\n[modal_basis]\nchannels = " + quoted_list(campaign.modal_basis->channels) +
-            "\nmodes = " + quoted_list(campaign.modal_basis->modes) + "\nmass_normalised_shapes = [";
+    text += "\n[modal_basis]\nchannels = " + toml_list(campaign.modal_basis->channels) +
+            "\nmodes = " + toml_list(campaign.modal_basis->modes) + "\nmass_normalised_shapes = [";
     for (std::size_t r = 0; r < campaign.modal_basis->mass_normalised_shapes.size(); ++r) {
       text += r ? ", [" : "[";
       const std::vector<double>& row = campaign.modal_basis->mass_normalised_shapes[r];
@@ -56,16 +26,18 @@ std::string campaign_text(const Campaign& campaign) {
     }
     text += "]\n";
   }
+  if (campaign.geometry) text += geometry_text(*campaign.geometry);
   std::string table;
   for (const RecordEntry& entry : campaign.records) {
     if (entry.row) {  // all rows of a table are one [[record]]
       if (entry.row->table == std::exchange(table, entry.row->table)) continue;
-      text +=
-          "\n[[record]]\nfile = " + quoted(entry.row->table) + "\nkind = " + quoted(to_string(entry.kind)) + "\n";
-      if (!entry.group.empty()) text += "group = " + quoted(entry.group) + "\n";
+      text += "\n[[record]]\nfile = " + toml_string(entry.row->table) +
+              "\nkind = " + toml_string(to_string(entry.kind)) + "\n";
+      if (!entry.group.empty()) text += "group = " + toml_string(entry.group) + "\n";
       continue;
     }
-    text += "\n[[record]]\nfile = " + quoted(entry.file) + "\nkind = " + quoted(to_string(entry.kind)) + "\n";
+    text +=
+        "\n[[record]]\nfile = " + toml_string(entry.file) + "\nkind = " + toml_string(to_string(entry.kind)) + "\n";
     const auto add = [&](const char* key, const std::optional<double>& value) {
       if (value) text += std::string(key) + " = " + toml_number(*value) + "\n";
     };
@@ -73,11 +45,11 @@ std::string campaign_text(const Campaign& campaign) {
     add("excitation_amplitude", entry.excitation_amplitude);
     add("ensemble_s", entry.ensemble_s);
     add("started_s", entry.started_s);
-    if (!entry.group.empty()) text += "group = " + quoted(entry.group) + "\n";
+    if (!entry.group.empty()) text += "group = " + toml_string(entry.group) + "\n";
     if (!entry.variables.empty()) {
       std::string pairs;
       for (const auto& [channel, variable] : entry.variables)
-        pairs += (pairs.empty() ? " " : ", ") + quoted(channel) + " = " + quoted(variable);
+        pairs += (pairs.empty() ? " " : ", ") + toml_string(channel) + " = " + toml_string(variable);
       text += "variables = {" + pairs + " }\n";
     }
   }

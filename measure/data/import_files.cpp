@@ -12,6 +12,7 @@
 #include "input/input_error.hpp"
 #include "measure/data/channel_times.hpp"
 #include "measure/data/import_channels.hpp"
+#include "measure/data/import_geometry.hpp"
 #include "measure/data/import_parts.hpp"
 #include "measure/data/jitter.hpp"
 #include "measure/data/missing_cells.hpp"
@@ -326,6 +327,7 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
   Campaign& campaign = imported.campaign;
   campaign.name = options.name.empty() ? options.files.front().stem().string() : options.name;
   for (const DescribedChannel& described : sources.front().channels) campaign.channels.push_back(described.channel);
+  campaign.geometry = import_geometry(options.geometry, options.files.front(), sources.front().channels, variables);
   note_variables(variables, sources, imported);
   std::set<std::string> taken;
   for (std::size_t f = 0; f < sources.size(); ++f) {

@@ -39,6 +39,7 @@ struct ImportOptions {
   std::vector<double> frequencies_hz;    ///< --frequency: none, one for all files or one a file
   std::vector<double> amplitudes;        ///< --amplitude: the same
   std::optional<double> ensemble_s;      ///< --ensemble
+  std::filesystem::path geometry;        ///< --geometry: a universal file; empty: the first file, if it holds nodes
   TableOptions table;                    ///< of kind `lines` alone
   std::string decimal_mark;              ///< --decimal-mark: "." or ","; empty: as the dialect of a CSV has it
 };

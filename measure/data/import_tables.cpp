@@ -79,6 +79,8 @@ ImportedCampaign import_tables(const ImportOptions& options, const TableSink& si
     throw InputError(
         "--time, --sample-rate, --ensemble, --frequency", "", "say something of samples",
         "a table of lines has none: leave them out; its frequencies are a column (--column f=VARIABLE)");
+  if (!options.geometry.empty())
+    throw InputError("--geometry", "", "is for `secular modal`, which reads no tables", "leave it out");
   TableRequest request;
   request.convention = convention_in(options.table);
   request.words = {"write --phases deg or --phases rad", "name it with --column {}=VARIABLE",

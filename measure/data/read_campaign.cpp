@@ -6,6 +6,7 @@
 #include "input/input_error.hpp"
 #include "input/toml_table.hpp"
 #include "measure/data/campaign.hpp"
+#include "measure/data/geometry_text.hpp"
 #include "measure/data/held_campaign.hpp"
 #include "measure/data/names.hpp"
 #include "measure/data/table_entries.hpp"
@@ -198,7 +199,7 @@ Campaign read_campaign(const fs::path& folder) {
 }
 
 Campaign described_campaign(const TomlTable& root, const fs::path& folder, bool in_memory) {
-  root.refuse_unknown_keys({"schema", "name", "sample_rate_hz", "channel", "modal_basis", "record"});
+  root.refuse_unknown_keys({"schema", "name", "sample_rate_hz", "channel", "modal_basis", "geometry", "record"});
   if (root.integer("schema") != 1) root.fail("schema", "is not 1", "this program reads schema 1");
   Campaign campaign;
   campaign.folder = folder;
@@ -224,6 +225,7 @@ Campaign described_campaign(const TomlTable& root, const fs::path& folder, bool 
                                         [](const Channel& c) { return c.role == ChannelRole::response; });
   if (!any_response) root.fail("channel", "no channel is a response", "describe at least one response [[channel]]");
   if (root.has("modal_basis")) campaign.modal_basis = read_basis(root.table("modal_basis"), campaign.channels);
+  if (root.has("geometry")) campaign.geometry = read_geometry(root.table("geometry"), campaign.channels);
   for (const TomlTable& table : records) {
     RecordEntry entry = read_entry(table, campaign, in_memory);
     if (in_memory && entry.kind == RecordKind::lines)

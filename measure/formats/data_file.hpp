@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -11,6 +12,12 @@
 #include "measure/formats/row_place.hpp"
 
 namespace secular {
+
+/// Where a channel measures, and along which of the axes x, y, z (a unit vector).
+struct SensorPlace {
+  std::string node;
+  std::array<double, 3> direction{};
+};
 
 /// A named variable of a data file: a column of a CSV, a numeric variable of a MAT or HDF5 file, a channel of a UFF
 /// or WAV file.
@@ -24,6 +31,7 @@ struct DataVariable {
   std::string unit{};                  ///< of `values` where `quantity` is known: its SI unit
   std::string stated_unit{};   ///< as the file spells it; values were converted from it if `unit` is not empty
   bool of_full_scale = false;  ///< values are fractions of a converter's range, which mean no unit by themselves
+  std::optional<SensorPlace> sensor{};  ///< of a translation, where the file says so
 };
 
 /// The stamps of a time variable become seconds: from the unit that its file states, or its name ("Time (ms)",

@@ -12,64 +12,13 @@
 #include "measure/formats/fortran_number.hpp"
 #include "measure/formats/mapped_file.hpp"
 #include "measure/formats/stored_numbers.hpp"
+#include "measure/formats/uff_data_set.hpp"
 #include "measure/formats/uff_file.hpp"
 #include "measure/formats/uff_header.hpp"
 #include "measure/formats/uff_lines.hpp"
 
 namespace secular {
 namespace {
-
-/// The line below the delimiter that begins a data set.
-struct DataSetHead {
-  long long number = 0;
-  bool binary = false;
-  long long byte_order = 0, float_format = 0, header_lines = 0, bytes = 0;  // of binary ones
-};
-
-// The four numbers behind "58b", by the blanks between them or by columns that they fill.
-bool read_binary_head(std::string_view text, bool by_blanks, DataSetHead& head) {
-  constexpr std::size_t widths[] = {6, 6, 12, 12};
-  const std::size_t* width = widths;
-  for (long long* field : {&head.byte_order, &head.float_format, &head.header_lines, &head.bytes}) {
-    if (by_blanks) text = text.substr(std::min(text.find_first_not_of(' '), text.size()));
-    const std::size_t end = std::min(by_blanks ? text.find_first_of(" \t\r") : *width, text.size());
-    const auto value = whole_number(text.substr(0, end));
-    if (!value || *value < 0) return false;
-    *field = *value;
-    text.remove_prefix(end);
-    ++width;
-  }
-  return true;
-}
-
-DataSetHead read_head(UffLines& lines) {
-  const std::string_view line = lines.take();
-  DataSetHead head;
-  const auto number = whole_number(line.substr(0, 6));
-  if (!number || *number <= 0)
-    lines.fail("is no number of a data set", "behind the delimiter -1 a number such as 58 was expected");
-  head.number = *number;
-  const std::size_t letter = std::min(line.find_first_not_of(' ', 6), line.size());
-  head.binary = letter < line.size() && (line[letter] == 'b' || line[letter] == 'B');
-  if (!head.binary) return head;
-  const std::string_view rest = line.substr(letter + 1);
-  if (!read_binary_head(rest, false, head) && !read_binary_head(rest, true, head))
-    lines.fail("does not describe its binary data",
-               "the byte order, the floating point format, the count of lines and of bytes were expected");
-  return head;
-}
-
-void skip_data_set(const DataSetHead& head, UffLines& lines) {
-  if (head.binary) {
-    for (long long i = 0; i < head.header_lines && !lines.at_end(); ++i) lines.take();
-    if (static_cast<unsigned long long>(head.bytes) > lines.left())
-      lines.fail(fmt::format("announces {} bytes, {} follow", head.bytes, lines.left()), whole_again);
-    lines.take_bytes(static_cast<std::size_t>(head.bytes));
-  }
-  while (!lines.at_end())
-    if (is_uff_delimiter(lines.take())) return;
-  lines.fail(fmt::format("data set {} does not end", head.number), whole_again);
-}
 
 /// Gives the numbers of a data set, in stored order, to their places in the function.
 class NumberSink {
@@ -222,7 +171,7 @@ std::size_t abscissa_size(const UffLines& lines, const UffHeader& header, std::s
 }
 
 // Takes the delimiter too, which may follow with or without a line break.
-void read_binary_numbers(UffLines& lines, const DataSetHead& head, UffHeader& header, std::size_t limit) {
+void read_binary_numbers(UffLines& lines, const UffDataSetHead& head, UffHeader& header, std::size_t limit) {
   const UffFunction& function = header.function;
   if (static_cast<unsigned long long>(head.bytes) > lines.left())
     lines.fail(fmt::format("{} bytes of data are announced, {} follow", head.bytes, lines.left()), whole_again);
@@ -244,7 +193,7 @@ void read_binary_numbers(UffLines& lines, const DataSetHead& head, UffHeader& he
   if (!is_uff_delimiter(line)) lines.fail("the delimiter -1 does not follow the binary data", whole_again);
 }
 
-UffFunction read_function(UffLines& lines, const DataSetHead& head, std::size_t limit) {
+UffFunction read_function(UffLines& lines, const UffDataSetHead& head, std::size_t limit) {
   if (head.binary) {
     if (head.byte_order != 1 && head.byte_order != 2)
       lines.fail(fmt::format("byte order {} is not known", head.byte_order), "1 (little) or 2 (big) was expected");
@@ -271,13 +220,8 @@ std::vector<UffFunction> read_uff(const std::filesystem::path& path, std::size_t
   UffLines lines(text, path.string());
   if (stripped(text).empty()) throw InputError(path.string(), "", "is empty", "data sets 58 were expected");
   std::vector<UffFunction> functions;
-  while (!lines.at_end()) {
-    const std::string_view line = lines.take();
-    if (stripped(line).find_first_not_of('\x1A') == std::string_view::npos) continue;  // empty, or the end in DOS
-    if (!is_uff_delimiter(line))
-      lines.fail("is no delimiter of a data set", "-1 in columns 5 and 6 and nothing else was expected");
-    if (lines.at_end()) lines.fail("no data set follows the delimiter", whole_again);
-    const DataSetHead head = read_head(lines);
+  UffDataSetHead head;
+  while (next_data_set(lines, head)) {
     if (head.number == 58)
       functions.push_back(read_function(lines, head, limit));
     else

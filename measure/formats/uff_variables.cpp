@@ -33,6 +33,13 @@ std::string degree_of_freedom(const UffPoint& point) {
   return point.entity + std::to_string(point.node) + axis + (point.direction < 0 ? "-" : axis.empty() ? "" : "+");
 }
 
+std::optional<SensorPlace> sensor_place(const UffPoint& point) {
+  if (point.node == 0 || point.direction == 0 || is_rotation(point)) return std::nullopt;
+  SensorPlace place{std::to_string(point.node), {}};
+  place.direction[static_cast<std::size_t>(std::abs(point.direction)) - 1] = point.direction < 0 ? -1 : 1;
+  return place;
+}
+
 std::vector<std::string> channel_names(const std::vector<UffFunction>& functions) {
   const std::function<std::string(const UffFunction&)> candidates[] = {
       [](const UffFunction& function) { return function.id_lines.front(); },
@@ -118,6 +125,7 @@ DataVariable channel_variable(std::string name, UffFunction& function, bool read
   DataVariable channel{
       std::move(name), {function.count}, type_name(function.ordinate), {}, channel_fault(function)};
   channel.stated_unit = function.numerator.unit;
+  channel.sensor = sensor_place(function.response);
   const std::optional<UffMeaning> meaning = ordinate_meaning(function.numerator, is_rotation(function.response));
   if (meaning) {
     channel.quantity = meaning->quantity;

@@ -331,8 +331,9 @@ void remark_on_excess(ModalSurvey& survey) {
   for (SurveyMode& mode : survey.modes)
     if (mode.leaves_more_than_noise())
       mode.remarks.push_back(
-          ": one damped motion leaves more than noise there: there may be two modes, or one that changes with "
-          "amplitude; its error bars hold a part along its own motion as large as the one that is seen");
+          "one damped motion leaves more than noise: there may be two modes, or one that changes with amplitude; "
+          "error "
+          "bars hold a part along its motion as large as the one that is seen");
 }
 
 std::string nothing_stands(const ModalSurvey& survey) {
@@ -344,38 +345,55 @@ std::string nothing_stands(const ModalSurvey& survey) {
   return "no pole of the stabilisation diagram stands out of the noise: " + list;
 }
 
-void warn_of_modes(ModalSurvey& survey) {
-  for (std::size_t r = 0; r < survey.modes.size(); ++r)
-    for (const std::string& remark : survey.modes[r].remarks)
-      survey.warnings.push_back(
-          fmt::format("mode {} ({:.4g} Hz){}", r + 1, survey.modes[r].natural_frequency_hz, remark));
-}
-
-void warn_of_whirling(ModalSurvey& survey) {
-  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
-    const SurveyMode& mode = survey.modes[r];
-    if (!squares_cancel(mode.shape.mean)) continue;
-    survey.warnings.push_back(fmt::format(
-        "mode {} ({:.4g} Hz) travels or whirls: the squares of its shape cancel, and Eq. (2.2) cannot scale "
-        "it; the squared moduli of its entries sum to one instead, and it has no modal mass",
-        r + 1, mode.natural_frequency_hz));
-  }
+void remark_on_whirling(ModalSurvey& survey) {
+  for (SurveyMode& mode : survey.modes)
+    if (squares_cancel(mode.shape.mean))
+      mode.remarks.push_back(
+          "travels or whirls: the squares of the shape cancel, and Eq. (2.2) cannot scale it; the squared moduli "
+          "of the "
+          "entries sum to one instead, and there is no modal mass");
 }
 
 // What grows, and what does not tell whether it does.
-void warn_of_growth(ModalSurvey& survey) {
-  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
-    const SurveyMode& mode = survey.modes[r];
-    const std::string name = fmt::format("mode {} ({:.4g} Hz)", r + 1, mode.natural_frequency_hz);
+void remark_on_growth(ModalSurvey& survey) {
+  for (SurveyMode& mode : survey.modes) {
     const PoleSupport& support = mode.diagram.support;
     if (mode.trend() == MotionTrend::grows)
-      survey.warnings.push_back(fmt::format(
-          "{} grows in the records: by {:.4g} a second with a standard deviation of {:.2g}, a damping of "
-          "{:.3g} %",
-          name, support.value.real(), support.growth_error, 100 * damping_ratio(support.value)));
+      mode.remarks.push_back(fmt::format(
+          "grows in the records: by {:.4g} a second with a standard deviation of {:.2g}, a damping of {:.3g} %",
+          support.value.real(), support.growth_error, 100 * damping_ratio(support.value)));
     if (mode.trend() == MotionTrend::undetermined)
-      survey.warnings.push_back(fmt::format(
-          "{}: the records do not distinguish its damping from zero; a tone from outside looks the same", name));
+      mode.remarks.push_back(
+          "the records do not distinguish the damping from zero; a tone from outside looks the same");
+  }
+}
+
+void remark_on_phases(ModalSurvey& survey) {
+  for (SurveyMode& mode : survey.modes) {
+    mode.phase_collinearity = phase_collinearity(mode.shape.mean);
+    if (mode.phase_collinearity < 0.9)
+      mode.remarks.push_back(
+          "complex (phase collinearity below 0.9): the real part of the shape is no normal mode");
+  }
+}
+
+// One warning a remark, with all modes that it holds for.
+void warn_of_modes(ModalSurvey& survey) {
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> modes_of;
+  for (std::size_t r = 0; r < survey.modes.size(); ++r)
+    for (const std::string& remark : survey.modes[r].remarks) {
+      auto known = std::find_if(modes_of.begin(), modes_of.end(), [&](const auto& m) { return m.first == remark; });
+      if (known == modes_of.end()) known = modes_of.insert(known, {remark, {}});
+      known->second.push_back(r);
+    }
+  for (const auto& [remark, modes] : modes_of) {
+    std::vector<std::string> numbers, hertz;
+    for (const std::size_t r : modes) {
+      numbers.push_back(std::to_string(r + 1));
+      hertz.push_back(fmt::format("{:.4g}", survey.modes[r].natural_frequency_hz));
+    }
+    survey.warnings.push_back(fmt::format("mode{} {} ({} Hz): {}", modes.size() == 1 ? "" : "s",
+                                          fmt::join(numbers, ", "), fmt::join(hertz, ", "), remark));
   }
 }
 
@@ -458,20 +476,14 @@ ModalSurvey modal_survey(const Campaign& campaign, const ModalSurveyOptions& opt
                                "show more");
   set_tones_aside(survey);
   remark_on_excess(survey);
+  remark_on_phases(survey);
+  remark_on_growth(survey);
+  remark_on_whirling(survey);
   warn_of_modes(survey);
   MatrixXcd shapes(static_cast<Index>(survey.channels.size()), static_cast<Index>(survey.modes.size()));
-  for (std::size_t r = 0; r < survey.modes.size(); ++r) {
+  for (std::size_t r = 0; r < survey.modes.size(); ++r)
     shapes.col(static_cast<Index>(r)) = survey.modes[r].shape.mean;
-    survey.modes[r].phase_collinearity = phase_collinearity(survey.modes[r].shape.mean);
-    if (survey.modes[r].phase_collinearity < 0.9)
-      survey.warnings.push_back(
-          fmt::format("mode {} ({:.4g} Hz) is complex (phase collinearity {:.2f}): its real part "
-                      "is no normal mode",
-                      r + 1, survey.modes[r].natural_frequency_hz, survey.modes[r].phase_collinearity));
-  }
   survey.mac = modal_assurance_matrix(shapes, shapes);
-  warn_of_growth(survey);
-  warn_of_whirling(survey);
   give_masses(survey);
   if (options.progress) options.progress(100, 100);
   for (std::string& warning : records.faults()) survey.warnings.push_back(std::move(warning));

@@ -74,7 +74,7 @@ struct SurveyMode {
   std::vector<MassEstimate> masses;
   std::optional<double> mass;        ///< kg
   double mass_sd = 0;                ///< kg; zero where it was given or cannot be determined
-  std::vector<std::string> remarks;  ///< to follow the mode's name in a warning
+  std::vector<std::string> remarks;  ///< a warning says each once, behind the names of the modes that it holds for
 
   /// Its values are those of a fit that leaves more than noise near its pole (docs/inference.md (M7)).
   bool leaves_more_than_noise() const { return diagram.support.more_than_noise && pole == diagram.support.value; }

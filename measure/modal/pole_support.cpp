@@ -14,6 +14,7 @@
 #include "measure/modal/close_poles.hpp"
 #include "measure/modal/fit_residual.hpp"
 #include "measure/modal/noise_whitening.hpp"
+#include "measure/modal/pole.hpp"
 #include "measure/modal/pole_fit.hpp"
 #include "measure/modal/record_scatter.hpp"
 #include "measure/thresholds.hpp"
@@ -42,6 +43,8 @@ const std::string too_many = "the records are too short to determine so many pol
 const std::string too_wide = "its error bar is as wide as its resonance";
 const std::string no_peak = "its damping cannot be distinguished from one without a resonance";
 const std::string no_turn = "swings less than once in the records";
+const std::string not_measured =
+    "smaller than any converter resolves: it is of the arithmetic that made the samples";
 const std::string at_the_top = "cannot be distinguished from one above half the sample rate";
 
 VectorXcd as_vector(const std::vector<Complex>& poles) {
@@ -123,21 +126,39 @@ class Selection {
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
       PoleSupport& s = support_[chosen_[i]];
       const auto row = static_cast<Index>(i);
-      s.reason = no_resonance(row);
-      if (s.reason.empty()) {
-        s.stands = true;
-        s.pole = fit_.poles(row);
-        s.growth_sd = fit_.growth_sd(row);
-        s.omega_sd = fit_.omega_sd(row);
-      }
+      s.moves = true;
+      s.pole = fit_.poles(row);
+      s.growth_sd = fit_.growth_sd(row);
+      s.omega_sd = fit_.omega_sd(row);
     }
     if (chosen_.empty()) return support_;
     find_amplitudes();
     widen();
+    keep_resonances();
     return support_;
   }
 
  private:
+  // By error bars that hold all that is known.
+  void keep_resonances() {
+    for (const std::size_t c : chosen_) {
+      PoleSupport& s = support_[c];
+      s.reason = is_measured(s) ? no_resonance(s.value, s.growth_error, s.omega_error) : not_measured;
+      s.stands = s.reason.empty();
+    }
+  }
+
+  // The widest converters have 32 bits.
+  bool is_measured(const PoleSupport& s) const {
+    constexpr double resolution = 0x1p-32;
+    for (std::size_t record = 0; record < s.amplitudes.size(); ++record) {
+      const auto first = static_cast<Index>(record) * motions_.channels;
+      const double largest = motions_.samples.middleCols(first, motions_.channels).cwiseAbs().maxCoeff();
+      if (s.amplitudes[record] > resolution * largest) return true;
+    }
+    return false;
+  }
+
   // Of the samples as they are: each record is whitened by mixing of its own.
   void find_amplitudes() {
     const PoleFit fit = fit_residues(motions_.samples, motions_.sample_rate_hz, fit_.poles);
@@ -496,12 +517,11 @@ class Selection {
   // Why what the records hold there is no resonance; empty where it is one. The fit keeps it beside the others: it
   // is motion, and would be taken for theirs. What ended at a limit of the fit has no error bar that counts, and is
   // nearer to the limit than one.
-  std::string no_resonance(Index row) const {
-    const Complex pole = fit_.poles(row);
+  std::string no_resonance(Complex pole, double growth_sd, double omega_sd) const {
     const double duration = static_cast<double>(samples_.rows()) / motions_.sample_rate_hz;
-    const Interval peak = confidence_interval(pole.imag() - std::abs(pole.real()),
-                                              std::hypot(fit_.growth_sd(row), fit_.omega_sd(row)), unlimited);
-    const Interval omega = confidence_interval(pole.imag(), fit_.omega_sd(row), unlimited);
+    const Interval peak =
+        confidence_interval(pole.imag() - std::abs(pole.real()), std::hypot(growth_sd, omega_sd), unlimited);
+    const Interval omega = confidence_interval(pole.imag(), omega_sd, unlimited);
     if (!(peak.low > 0)) return no_peak;
     if (!(pole.imag() * duration > two_pi)) return no_turn;
     return omega.high < std::numbers::pi * motions_.sample_rate_hz ? "" : at_the_top;

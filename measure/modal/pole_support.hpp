@@ -20,6 +20,7 @@ struct FreeMotions {
 struct PoleSupport {
   bool stands = false;
   std::string reason;  ///< why it does not stand
+  bool moves = false;  ///< it is motion and not noise; of what does not stand: without a resonance
   std::complex<double>
       pole;              ///< rad/s, maximum likelihood in the noise as it was measured; as given where it falls
   double growth_sd = 0;  ///< of the real part, 1/s, in this noise, were the motion as the fit has it

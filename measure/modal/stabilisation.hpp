@@ -41,9 +41,10 @@ struct StableMode {
 
 struct StabilisationDiagram {
   StabilisationOptions options;
-  std::vector<StabilisationPole> poles;  ///< by order
-  std::vector<StableMode> modes;         ///< by frequency
-  std::vector<StableMode> others;        ///< that stand as well but were not selected
+  std::vector<StabilisationPole> poles;   ///< by order
+  std::vector<StableMode> modes;          ///< by frequency
+  std::vector<StableMode> others;         ///< that stand as well but were not selected
+  std::vector<StableMode> no_resonances;  ///< motion that is no mode
   Eigen::VectorXd singular_values;
 };
 

@@ -89,6 +89,7 @@ void survey_several(ModalSurvey& survey, SurveyRecords& records, const std::vect
     if (part.records->decays().empty()) continue;
     find_poles(part.survey, *part.records, found);
     append(found, part.survey.diagram.modes);
+    append(found, part.survey.diagram.no_resonances);
     diagrams.push_back(&part.survey.diagram);
   }
   keep_strongest(diagrams, survey.options.modes);

@@ -243,10 +243,10 @@ void follow_decays(ModalSurvey& survey, SurveyRecords& records, WindowMisfit mis
     const AmplitudeDependence dependence =
         amplitude_dependence(survey.windows, static_cast<Index>(r), survey.options.fit_below);
     if (dependence.windows < 3) {
-      mode.remarks.push_back(fmt::format(
-          " is seen in {} windows of {:.3g} s only: its values are those of one fit to the beginning of "
-          "the records, whatever the amplitude; a narrower --band or another --window may help",
-          dependence.windows, options.length_s));
+      mode.remarks.push_back(
+          "seen in fewer than three windows: the values are those of one fit to the beginning of the records, "
+          "whatever "
+          "the amplitude; a narrower --band or another --window may help");
       continue;
     }
     if (!alone) {
@@ -255,24 +255,23 @@ void follow_decays(ModalSurvey& survey, SurveyRecords& records, WindowMisfit mis
     }
     if (!follows(survey, r, dependence)) {
       mode.remarks.push_back(
-          fmt::format(": windows of {:.3g} s do not follow it, its values are those of one fit to the beginning of "
-                      "the records, whatever the amplitude; a narrower --band or another --window may help",
-                      options.length_s));
+          "not followed by its windows: the values are those of one fit to the beginning of the records, whatever "
+          "the "
+          "amplitude; a narrower --band or another --window may help");
       continue;
     }
     mode.amplitude = dependence;
     mode.shape = mean_shape(survey.windows, static_cast<Index>(r));
     take_values(mode, dependence);
     if (!mode.frequency_interval_hz())
-      mode.remarks.push_back(fmt::format(
-          ": {} windows scatter by more than their noise, and too few determine by how much: its values "
-          "have no interval; a shorter --window or more records would give one",
-          dependence.windows));
+      mode.remarks.push_back(
+          "windows scatter by more than their noise, and too few determine by how much: the values have no "
+          "interval; a "
+          "shorter --window or more records would give one");
     if (dependence.frequency_hz.curvature_p < 0.05 || dependence.damping_factor_hz.curvature_p < 0.05)
-      mode.remarks.push_back(fmt::format(
-          ": {} against amplitude is no straight line (p = {:.1g}); use --fit-below to keep to small amplitudes",
-          dependence.frequency_hz.curvature_p < 0.05 ? "frequency" : "damping",
-          std::min(dependence.frequency_hz.curvature_p, dependence.damping_factor_hz.curvature_p)));
+      mode.remarks.push_back(
+          fmt::format("{} against amplitude is no straight line; --fit-below keeps to small amplitudes",
+                      dependence.frequency_hz.curvature_p < 0.05 ? "frequency" : "damping"));
   }
 }
 

@@ -117,11 +117,14 @@ void keep_supported(ModalSurvey& survey, const FreeMotions& motions) {
       list->push_back(std::move(mode));
     }
     first += count;
-    for (const StableMode& mode : *list)
-      if (!mode.support.stands) survey.dropped.push_back({mode.pole, mode.support.reason});
+    for (const StableMode& mode : *list) {
+      if (mode.support.stands) continue;
+      survey.dropped.push_back({mode.pole, mode.support.reason});
+      if (mode.support.moves) survey.diagram.no_resonances.push_back(mode);
+    }
     std::erase_if(*list, [](const StableMode& mode) { return !mode.support.stands; });
     std::sort(list->begin(), list->end(), [](const StableMode& a, const StableMode& b) {
-      return natural_frequency(a.pole) < natural_frequency(b.pole);
+      return natural_frequency(a.support.value) < natural_frequency(b.support.value);
     });
   }
   std::sort(survey.dropped.begin(), survey.dropped.end(), [](const DroppedPole& a, const DroppedPole& b) {

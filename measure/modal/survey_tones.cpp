@@ -85,7 +85,7 @@ SurveyTone tone_of(const CombinationMatch& match, const std::vector<SurveyMode>&
 
 std::string remark_of(const SurveyTone& tone, CombinationVerdict verdict) {
   const double rate = -tone.found.diagram.support.pole.real();
-  const std::string where = fmt::format(" lies at {}", tone.name());
+  const std::string where = fmt::format("lies at {}", tone.name());
   const std::string rates = fmt::format("{:.3g} 1/s, not with {:.3g} to {:.3g} 1/s", rate, tone.expected_rate.low,
                                         tone.expected_rate.high);
   switch (verdict) {

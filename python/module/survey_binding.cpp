@@ -106,6 +106,7 @@ ImportOptions import_options(const py::dict& options) {
   import.sample_rate_hz = options["sample_rate_hz"].cast<std::optional<double>>();
   import.name = text("name");
   import.group = text("group");
+  import.geometry = text("geometry");
   import.frequencies_hz = options["frequency_hz"].cast<std::vector<double>>();
   import.amplitudes = options["amplitude"].cast<std::vector<double>>();
   import.ensemble_s = options["ensemble_s"].cast<std::optional<double>>();

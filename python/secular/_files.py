@@ -227,6 +227,7 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
                  channels: Union[str, Channel, Sequence[Union[str, Channel]]],
                  folder: Union[str, os.PathLike, None] = None, replace: bool = False, time: Optional[str] = None,
                  sample_rate_hz: Optional[float] = None, name: Optional[str] = None, group: Optional[str] = None,
+                 geometry: Union[str, os.PathLike, None] = None,
                  frequency_hz: Union[float, Sequence[float], None] = None,
                  amplitude: Union[float, Sequence[float], None] = None, ensemble_s: Optional[float] = None,
                  decimal_mark: Optional[str] = None, columns: Union[str, Sequence[str], None] = None,
@@ -249,7 +250,7 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
 
     options = dict(files=_files(files), kind=_checks.text("kind", kind), channels=[_channel_text(c) for c in given],
                    absolute=[c.name for c in given if isinstance(c, Channel) and c.frame == "absolute"],
-                   time=text("time", time), name=text("name", name), group=text("group", group),
+                   time=text("time", time), name=text("name", name), group=text("group", group), geometry="" if geometry is None else _checks.path("geometry", geometry),
                    sample_rate_hz=_checks.optional(_checks.positive, "sample_rate_hz", sample_rate_hz),
                    frequency_hz=_checks.reals("frequency_hz", frequency_hz),
                    amplitude=_checks.reals("amplitude", amplitude),

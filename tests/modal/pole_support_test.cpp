@@ -130,6 +130,23 @@ TEST(PoleSupport, ChannelsThatRepeatOthersDoNotCount) {
   EXPECT_NEAR(beside.growth_sd / alone.growth_sd, 1, 1e-3);
 }
 
+// Samples that were computed hold motions of the computation, far below what any sensor shows.
+TEST(PoleSupport, WhatNoConverterResolvesIsNoMode) {
+  const std::complex<double> first = pole_of(20 * hertz, 0.01), second = pole_of(47 * hertz, 0.004);
+  for (const double share : {1e-12, 1e-8}) {
+    testing_support::Gaussian gaussian(5);
+    FreeMotions motions{Eigen::MatrixXd(1024, 1), 1, 256, {""}};
+    for (Eigen::Index i = 0; i < motions.samples.rows(); ++i) {
+      const double t = static_cast<double>(i) / 256;
+      motions.samples(i, 0) =
+          std::exp(first * t).real() + share * (std::exp(second * t).real() + 0.01 * gaussian());
+    }
+    const std::vector<PoleSupport> found = pole_support(motions, {first, second});
+    EXPECT_TRUE(found[0].stands) << share;
+    EXPECT_EQ(found[1].stands, share > 1e-9) << share << ": " << found[1].reason;
+  }
+}
+
 TEST(PoleSupport, GrowthIsReportedWithItsErrorBar) {
   std::uint64_t seed = 50;
   for (const double damping : {-0.001, -0.01, -0.04})
