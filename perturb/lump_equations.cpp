@@ -414,17 +414,44 @@ std::vector<LumpEquation> harmonic_blocks(const Derivation& d, const ObservedFre
   return blocks;
 }
 
+// Relation `r` joins excitations alone, as Omega2 = 2*Omega.
+bool locks_excitations(const Derivation& d, std::size_t r) {
+  const ResonanceRelation& relation = d.resonance->relations[r];
+  const auto natural = relation.multiples.begin() + static_cast<std::ptrdiff_t>(d.layout.modes);
+  return relation.detuning.empty() &&
+         std::all_of(relation.multiples.begin(), natural, [](int m) { return m == 0; });
+}
+
+// Of every excitation its frequency, or those that it follows: the last one of a relation follows the others.
+std::vector<std::vector<numeric>> excitation_rows(const Derivation& d) {
+  const std::size_t all = d.layout.frequencies();
+  std::vector<std::vector<numeric>> locks, result;
+  for (std::size_t r = 0; r < d.layout.relations; ++r) {
+    if (!locks_excitations(d, r)) continue;
+    std::vector<numeric> backwards(all, 0);
+    const std::vector<int>& multiples = d.resonance->relations[r].multiples;
+    for (std::size_t i = 0; i < multiples.size(); ++i) backwards[all - 1 - i] = multiples[i];
+    locks.push_back(std::move(backwards));
+  }
+  for (std::size_t i = d.layout.modes; i < all; ++i) {
+    result.emplace_back(all, 0);
+    result.back()[i] = 1;
+  }
+  for (const Pivot& pivot : reduce_rows(locks, 0, all)) {
+    std::vector<numeric>& row = result[all - 1 - pivot.column - d.layout.modes];
+    for (std::size_t i = 0; i < all; ++i) row[i] = i == all - 1 - pivot.column ? 0 : -locks[pivot.row][all - 1 - i];
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<numeric> ObservedFrequencies::of_phase(const Phase& phase) const {
   std::vector<numeric> row(phase.size(), 0);
   for (std::size_t i = 0; i < phase.size(); ++i) {
     if (phase[i] == 0) continue;
-    if (i >= of_mode.size()) {
-      row[i] = row[i] + phase[i];
-      continue;
-    }
-    for (std::size_t c = 0; c < row.size(); ++c) row[c] = row[c] + phase[i] * of_mode[i][c];
+    const std::vector<numeric>& own = i < of_mode.size() ? of_mode[i] : of_excitation[i - of_mode.size()];
+    for (std::size_t c = 0; c < row.size(); ++c) row[c] = row[c] + phase[i] * own[c];
   }
   return row;
 }
@@ -434,6 +461,7 @@ std::optional<ObservedFrequencies> observed_frequencies(const Derivation& d) {
   // Unknown x_k per relation: w_k = omega_k + sum_r x_kr * relation_r.
   std::vector<std::vector<numeric>> shifts(layout.modes, std::vector<numeric>(layout.relations, 0));
   for (std::size_t r = 0; r < layout.relations; ++r) {
+    if (locks_excitations(d, r)) continue;  // its phase does not turn: no frame follows it
     std::vector<std::vector<numeric>> rows;
     for (std::size_t k = 0; k < layout.modes; ++k) {
       const Field modulation = d.modulation(k);
@@ -449,7 +477,7 @@ std::optional<ObservedFrequencies> observed_frequencies(const Derivation& d) {
     if (!solution) return std::nullopt;
     for (std::size_t k = 0; k < layout.modes; ++k) shifts[k][r] = (*solution)[k];
   }
-  ObservedFrequencies frequencies;
+  ObservedFrequencies frequencies{{}, excitation_rows(d)};
   for (std::size_t k = 0; k < layout.modes; ++k) {
     std::vector<numeric> row(layout.frequencies(), 0);
     row[k] = 1;
@@ -458,6 +486,10 @@ std::optional<ObservedFrequencies> observed_frequencies(const Derivation& d) {
       single[r] = 1;
       const Phase relation = d.lattice.phase_of(single);
       for (std::size_t i = 0; i < row.size(); ++i) row[i] = row[i] + shifts[k][r] * relation[i];
+    }
+    for (std::size_t j = 0; j < layout.excitations; ++j) {
+      const numeric share = std::exchange(row[layout.modes + j], numeric(0));
+      for (std::size_t i = 0; i < row.size(); ++i) row[i] = row[i] + share * frequencies.of_excitation[j][i];
     }
     frequencies.of_mode.push_back(std::move(row));
   }
@@ -480,9 +512,11 @@ LumpEquations lump_equations(const Derivation& nominal, const Derivation& kept, 
   const Model& model = *nominal.model;
   const auto frequencies = observed_frequencies(nominal);
   if (!frequencies)
-    throw InputError(model.file, "case " + nominal.resonance->name,
-                     "no rotating frame makes its modulation equations autonomous",
-                     "its relations are incommensurate: estimation needs one steady state per excitation");
+    throw InputError(
+        model.file, "case " + nominal.resonance->name,
+        "no rotating frame makes its modulation equations autonomous",
+        "steady motion needs one: of two excitations that act on a mode, lock one to the other without a "
+        "detuning, as in Omega2 = 2*Omega");
   LumpEquations result;
   result.frequencies = *frequencies;
   LumpFinder finder(model, sums);

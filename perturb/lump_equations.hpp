@@ -11,9 +11,10 @@ namespace secular {
 
 /// Frequencies at which a steady state is observed: mode k's motion is B_k exp(i w_k t) with w_k = omega_k + a
 /// combination of the relations, chosen so that dB/dt does not depend on time explicitly (half the excitation
-/// frequency in a principal parametric resonance). Rows over natural and excitation frequencies.
+/// frequency in a principal parametric resonance). Rows over natural and excitation frequencies; frequencies that
+/// follow others, as by the relation Omega2 = 2*Omega, are replaced by those.
 struct ObservedFrequencies {
-  std::vector<std::vector<GiNaC::numeric>> of_mode;
+  std::vector<std::vector<GiNaC::numeric>> of_mode, of_excitation;
 
   /// sum_k phase_k w_k + sum_j phase_j Omega_j as a row over all frequencies.
   std::vector<GiNaC::numeric> of_phase(const Phase& phase) const;

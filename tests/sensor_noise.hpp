@@ -13,7 +13,7 @@
 namespace secular::testing_support {
 
 inline Experiment without_noise(Experiment e) {
-  if (e.excitation) e.excitation->noise_sd = e.excitation->quantisation = 0;
+  for (auto& excitation : e.excitations) excitation.noise_sd = excitation.quantisation = 0;
   for (SimulatedChannel& channel : e.responses) channel.noise_sd = channel.quantisation = 0;
   return e;
 }
@@ -21,11 +21,11 @@ inline Experiment without_noise(Experiment e) {
 /// Record number `r` of such a campaign without noise as the experiment's sensors measure it, the same as in a
 /// simulation with that seed.
 inline Record with_sensor_noise(Record record, const Experiment& experiment, std::uint64_t seed, std::size_t r) {
-  const std::size_t excitations = experiment.excitation ? 1 : 0;
+  const std::size_t excitations = experiment.excitations.size();
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     NoiseStream noise(seed, r, c);
     const SimulatedChannel& sensor =
-        c < excitations ? *experiment.excitation : experiment.responses[c - excitations];
+        c < excitations ? experiment.excitations[c] : experiment.responses[c - excitations];
     for (double& x : record.channels[c]) {
       if (sensor.noise_sd > 0) x += sensor.noise_sd * noise.gaussian();
       if (sensor.quantisation > 0) x = sensor.quantisation * std::round(x / sensor.quantisation);

@@ -91,11 +91,18 @@ void print_summary(const Prediction& prediction, const std::vector<report::Named
       if (said.insert(line).second) fmt::print("{}\n", line);
     }
   }
-  for (const auto& [mode, points] : prediction.backbones)
+  for (std::size_t k = 0; k < prediction.backbones.size(); ++k) {
+    const auto& [mode, points] = prediction.backbones[k];
     fmt::print("backbone of {}: {} Hz at rest, {} Hz at amplitude {}\n", mode,
                report::format_number(points.front().frequency * to_hz, 6),
                report::format_number(points.back().frequency * to_hz, 6),
                report::format_number(2 * points.back().amplitude, 4));
+    for (const LimitCycle& cycle : prediction.limit_cycles[k])
+      fmt::print("  limit cycle, {}: amplitude {}, {} Hz{}\n", cycle.stable ? "stable" : "unstable",
+                 report::format_number(2 * cycle.at.amplitude, 6),
+                 report::format_number(cycle.at.frequency * to_hz, 6),
+                 cycle.at.outside ? "  (outside of the expansion's range)" : "");
+  }
   for (const PredictedSweep& sweep : prediction.sweeps)
     for (const PredictedSweep::Jump& jump : sweep.jumps)
       fmt::print("simulated sweep {}: {} jumps between {} and {}\n", sweep.direction,

@@ -30,8 +30,10 @@ void refuse_unsupported(const CanonicalModel& model, const CanonicalCase& c) {
                          " goes to quadrature: the case has no regressor linear in lumps",
                      "leave the case out of the generated code, or use a nonsmooth function of one coordinate");
   if (c.observed_frequency.empty())
-    throw InputError(model.name, "case " + c.name, "no rotating frame makes its modulation equations autonomous",
-                     "generate code for cases with one steady state per excitation");
+    throw InputError(
+        model.name, "case " + c.name, "no rotating frame makes its modulation equations autonomous",
+        "steady motion needs one: of two excitations that act on a mode, lock one to the other without a "
+        "detuning, as in Omega2 = 2*Omega");
   const std::size_t frequencies = model.natural_frequencies.size() + model.excitation_frequencies.size();
   for (std::size_t s = frequencies; s + 1 < model.order.size(); ++s) {
     const bool parameter =

@@ -64,14 +64,15 @@ void ChannelReadings::restore_excitation() {
   for (Index j = 0; j < c_.excitation.rows(); ++j) {
     const ChannelFaults& fault = faults_.excitation[static_cast<std::size_t>(j)];
     const ChannelCut cut = excitation_cut(j);
+    const Index own = c_.tone_of(j);
     Complex fundamental = 0;
     for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
-      if (c_.excitation_lines[l] == c_.fundamental) {
+      if (c_.excitation_lines[l] == own) {
         fundamental = c_.excitation(j, static_cast<Index>(l));
         if (fault.saturates())
           fundamental *=
               unsaturated_amplitude(std::abs(fundamental), cut.level, cut.noise_sd) / std::abs(fundamental);
-        fundamental = restored(fundamental, fault, c_.line_rate(c_.fundamental));
+        fundamental = restored(fundamental, fault, c_.line_rate(own));
       }
     const Complex turned = fundamental == 0.0 ? Complex(1) : fundamental / std::abs(fundamental);
     for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l) {
@@ -81,14 +82,15 @@ void ChannelReadings::restore_excitation() {
         value = sensors_.excitation_derivatives > 0
                     ? Complex(0)
                     : (c_.excitation(j, static_cast<Index>(l)) - fault.offset) / (1 + fault.gain);
-      } else if (line == c_.fundamental) {
+      } else if (line == own) {
         value = fundamental;
       } else {
-        const int order = c_.torus->phase(line)[1] != 0
-                              ? c_.torus->phase(line)[1] / c_.torus->phase(c_.fundamental)[1]
-                              : c_.torus->phase(line)[0] / c_.torus->phase(c_.fundamental)[0];
-        value = faults_.shaker_harmonic[static_cast<std::size_t>(order - 2)] * std::abs(fundamental) *
-                std::pow(turned, order);
+        const std::size_t counted = c_.torus->phase(line)[1] != 0 ? 1 : 0;
+        const int turns = c_.torus->phase(line)[counted], own_turns = c_.torus->phase(own)[counted];
+        const int order = turns % own_turns == 0 ? turns / own_turns : 0;
+        value = order < 2 ? Complex(0)
+                          : faults_.shaker_harmonic[static_cast<std::size_t>(order - 2)] * std::abs(fundamental) *
+                                std::pow(turned, order);
       }
     }
   }

@@ -30,7 +30,12 @@ struct Condition {
   /// Growth + i*frequency at which a line's phase turns: sum |n_j| growth_j + i sum n_j frequency_j.
   std::complex<double> line_rate(Eigen::Index line) const { return secular::line_rate(*torus, rate, line); }
 
-  Eigen::Index fundamental = 0;     ///< line of the excitation's fundamental; 0: no excitation
+  Eigen::Index fundamental = 0;        ///< line of the excitation's fundamental; 0: no excitation
+  std::vector<Eigen::Index> own_line;  ///< [excitation channel] line of its tone; empty: the fundamental of all
+  /// Line at which an excitation channel is as measured; at others it shows what its shaker distorts.
+  Eigen::Index tone_of(Eigen::Index channel) const {
+    return own_line.empty() ? fundamental : own_line[static_cast<std::size_t>(channel)];
+  }
   std::vector<Eigen::Index> lines;  ///< observed lines; the zero line first where it is observed
   Eigen::MatrixXcd response;        ///< response channel x observed line
   Eigen::MatrixXd response_sd;

@@ -116,7 +116,7 @@ VectorXd ConditionEvaluation::differences(const VectorXcd& amplitudes, const Con
       push(c_.response(c, l) - expected.response(c, l), c_.lines[static_cast<std::size_t>(l)] == 0);
   for (Index j = 0; j < c_.excitation.rows(); ++j)
     for (std::size_t l = 0; l < c_.excitation_lines.size(); ++l)
-      if (c_.excitation_lines[l] != c_.fundamental)
+      if (c_.excitation_lines[l] != c_.tone_of(j))
         push(c_.excitation(j, static_cast<Index>(l)) - expected.excitation(j, static_cast<Index>(l)),
              c_.excitation_lines[l] == 0);
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));

@@ -102,7 +102,8 @@ std::vector<RowMeaning> ConditionModel::meanings(const Condition& condition) con
     for (const Index line : condition.lines) push({RowMeaning::Kind::response, 0, c, line, false}, line == 0);
   for (std::size_t j = 0; j < static_cast<std::size_t>(condition.excitation.rows()); ++j)
     for (const Index line : condition.excitation_lines)
-      if (line != condition.fundamental) push({RowMeaning::Kind::excitation, 0, j, line, false}, line == 0);
+      if (line != condition.tone_of(static_cast<Index>(j)))
+        push({RowMeaning::Kind::excitation, 0, j, line, false}, line == 0);
   return rows;
 }
 
@@ -173,7 +174,7 @@ MatrixXd ConditionModel::covariance(const Condition& condition, const VectorXd& 
       const auto column = static_cast<Index>(l);
       const Index line = condition.excitation_lines[l];
       const double sd = std::hypot(condition.excitation_sd(j, column), line_floor * largest);
-      if (line == 0 || line == condition.fundamental)
+      if (line == 0 || line == condition.tone_of(j))
         vary(moved.excitation(j, column), sd, line == 0);
       else
         stays_alone(RowMeaning::Kind::excitation, static_cast<std::size_t>(j), line, sd);

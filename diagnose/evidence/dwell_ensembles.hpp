@@ -20,6 +20,7 @@ struct DwellLines {
   std::shared_ptr<const Torus> torus;
   std::array<double, 2> base = {};  // rad/s
   Eigen::Index fundamental = 0;
+  std::vector<Eigen::Index> own_line;  ///< Condition::own_line
   std::vector<Eigen::Index> observed, excitation;
 
   double frequency(Eigen::Index line) const {

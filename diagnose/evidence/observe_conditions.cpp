@@ -36,7 +36,8 @@ class Repeatability {
         std::vector<LineScatter> lines;
         for (const Dwell& dwell : dwells)
           for (Index l = 0; l < scatter(dwell).cols(); ++l)
-            if (kind_of(dwell, l) == kind && dwell.degrees_of_freedom > 0) lines.push_back(scatter_at(dwell, c, l));
+            if (kind_of(dwell, c, l) == kind && dwell.degrees_of_freedom > 0)
+              lines.push_back(scatter_at(dwell, c, l));
         pooled_.try_emplace({c, kind}, std::move(lines));
       }
   }
@@ -50,7 +51,7 @@ class Repeatability {
 
  private:
   double of_one(const Dwell& dwell, Index channel, Index column) const {
-    const LineKind kind = kind_of(dwell, column);
+    const LineKind kind = kind_of(dwell, channel, column);
     const LineScatter own = scatter_at(dwell, channel, column);
     const double sd = pooled_.at({channel, kind}).sd(own);
     // A line near resonance varies with the structure; it is never quieter than the channel's other lines.
@@ -60,7 +61,7 @@ class Repeatability {
 
   LineScatter scatter_at(const Dwell& dwell, Index channel, Index column) const {
     return {std::abs(dwell.condition.line_rate(line(dwell, column)).imag()), scatter(dwell)(channel, column),
-            (kind_of(dwell, column) == LineKind::mean ? 1 : 2) * dwell.degrees_of_freedom};
+            (kind_of(dwell, channel, column) == LineKind::mean ? 1 : 2) * dwell.degrees_of_freedom};
   }
   const MatrixXd& scatter(const Dwell& dwell) const {
     return excitation_ ? dwell.excitation_scatter : dwell.response_scatter;
@@ -69,11 +70,11 @@ class Repeatability {
     const Condition& c = dwell.condition;
     return (excitation_ ? c.excitation_lines : c.lines)[static_cast<std::size_t>(column)];
   }
-  LineKind kind_of(const Dwell& dwell, Index column) const {
+  LineKind kind_of(const Dwell& dwell, Index channel, Index column) const {
     const Condition& c = dwell.condition;
     const Index line = this->line(dwell, column);
     if (line == 0) return LineKind::mean;
-    const bool resonant = excitation_ ? line == c.fundamental
+    const bool resonant = excitation_ ? line == c.tone_of(channel)
                                       : std::any_of(c.masters.begin(), c.masters.end(),
                                                     [&](const MasterLine& m) { return m.line == line; });
     return resonant ? LineKind::resonant : LineKind::other;

@@ -36,6 +36,9 @@ constexpr auto& usual_ensembles = diagnose_thresholds().usual_ensembles;
 /// An excitation that varies with less than this probability by its noise alone makes its response vary.
 constexpr auto& unsteady_excitation = diagnose_thresholds().unsteady_excitation;
 
+/// Excitations are read at these multiples of the first one's frequency.
+constexpr int highest_excitation_line = 3;
+
 /// Fewest samples and turns of the slowest line in an ensemble.
 constexpr auto& fewest_samples = diagnose_thresholds().ensemble_samples;
 
@@ -146,15 +149,23 @@ std::optional<double> excitation_frequency(const RecordPart& part, double rate, 
   return fit.frequency;
 }
 
-// Why excitations beside the first one make no motion of lines at multiples of its frequency; empty where they do.
-std::string off_multiples(const RecordPart& part, double rate, std::size_t responses, double omega) {
+// The multiple of the first excitation's frequency at which each other one has its tone, 1 where it has none. Why
+// they make no motion of lines at such multiples; empty where they do.
+std::string off_multiples(const RecordPart& part, double rate, std::size_t responses, double omega,
+                          std::vector<int>& multiples) {
+  multiples.assign(1, 1);
   for (Index c = static_cast<Index>(responses) + 1; c < part.samples.cols(); ++c) {
     const double guess = spectral_peak(part.samples.col(c), rate, 4, 1).frequency;
     const ToneFit fit = fit_harmonic_tone(part.samples.col(c), rate, guess, ToneOptions());
     const bool is_tone =
         fit.ending != SolverEnding::ran_away && std::abs(fit.amplitude(0, 0)) > present * fit.amplitude_sd(0, 0);
     // Phases that part by more than a turn over the record are no multiple's.
-    const double apart = fit.frequency - omega * std::round(fit.frequency / omega);
+    const double multiple = is_tone ? std::round(fit.frequency / omega) : 1,
+                 apart = fit.frequency - omega * multiple;
+    multiples.push_back(static_cast<int>(multiple));
+    if (is_tone && multiple > highest_excitation_line)
+      return fmt::format("its excitation at {:.4g} Hz is beyond the {} multiples of {:.4g} Hz that are read",
+                         fit.frequency / two_pi, highest_excitation_line, omega / two_pi);
     if (is_tone && std::abs(apart) * static_cast<double>(part.samples.rows()) / rate > two_pi)
       return fmt::format(
           "its excitations at {:.4g} and {:.4g} Hz make lines at sums of both, and a dwell has those at "
@@ -182,7 +193,8 @@ std::vector<Nonstationarity> nonstationarity_within(const DwellReader& reader, c
   };
   for (std::size_t j = 0; j < sensors.excitations.size(); ++j) {
     const auto channel = static_cast<Index>(sensors.responses.size() + j);
-    const Nonstationarity excitation = through(c.fundamental, Eigen::RowVectorXd::Unit(channels, channel));
+    const Nonstationarity excitation =
+        through(c.tone_of(static_cast<Index>(j)), Eigen::RowVectorXd::Unit(channels, channel));
     if (test_nonstationarity({excitation}).p_value < unsteady_excitation) return {};
   }
   // Where the masters are, and where the excitation drives every mode, near resonance or not.
@@ -286,7 +298,7 @@ class DwellObserver {
     const auto omega = excitation_frequency(part_, rate_, responses_, entry_);
     if (!omega) return fails("no steady excitation tone is found in it");
     omega_ = *omega;
-    if (std::string why = off_multiples(part_, rate_, responses_, omega_); !why.empty())
+    if (std::string why = off_multiples(part_, rate_, responses_, omega_, tone_multiples_); !why.empty())
       return fails(std::move(why));
     return true;
   }
@@ -319,11 +331,19 @@ class DwellObserver {
     lines.fundamental = *lines.torus->find(layout.excitation);
     lines.observed = reader.observable(lines, context_.window);
     lines.excitation = {0};
-    for (int n = 1; n <= 3; ++n) {
+    for (int n = 1; n <= highest_excitation_line; ++n) {
       const auto line = lines.torus->find({n * layout.excitation[0], n * layout.excitation[1]});
       if (line && lines.observes(*line)) lines.excitation.push_back(*line);
     }
     if (!lines.observes(lines.fundamental)) return std::nullopt;
+    for (const int n : tone_multiples_)
+      if (n > 1 && lines.own_line.empty()) lines.own_line.resize(tone_multiples_.size(), lines.fundamental);
+    for (std::size_t j = 0; j < lines.own_line.size(); ++j) {
+      const auto line =
+          lines.torus->find({tone_multiples_[j] * layout.excitation[0], tone_multiples_[j] * layout.excitation[1]});
+      if (!line || !lines.observes(*line)) return std::nullopt;
+      lines.own_line[j] = *line;
+    }
     return lines;
   }
 
@@ -389,6 +409,7 @@ class DwellObserver {
     c.torus = lines.torus;
     c.rate = {Complex(0, lines.base[0]), Complex(0, lines.base[1])};
     c.fundamental = lines.fundamental;
+    c.own_line = lines.own_line;
     c.lines = lines.observed;
     c.excitation_lines = lines.excitation;
   }
@@ -401,6 +422,7 @@ class DwellObserver {
   std::size_t responses_;
   RecordPart part_;
   double omega_ = 0;
+  std::vector<int> tone_multiples_;  // [excitation channel] of omega_
   std::string reason_;
 };
 

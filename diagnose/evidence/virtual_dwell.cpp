@@ -73,8 +73,9 @@ class Branch {
     if (!forecast.response.allFinite()) return std::nullopt;
     c.response = std::move(forecast.response);
     for (std::size_t l = 0; l < c.excitation_lines.size(); ++l)
-      if (c.excitation_lines[l] != c.fundamental)
-        c.excitation.col(static_cast<Index>(l)) = forecast.excitation.col(static_cast<Index>(l));
+      for (Index j = 0; j < c.excitation.rows(); ++j)
+        if (c.excitation_lines[l] != c.tone_of(j))
+          c.excitation(j, static_cast<Index>(l)) = forecast.excitation(j, static_cast<Index>(l));
     return c;
   }
 

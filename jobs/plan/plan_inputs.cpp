@@ -76,11 +76,11 @@ void read_sensors(const PlanRequest& request, PlanResult& plan) {
   const Experiment& experiment = *plan.sensors;
   Campaign campaign;
   campaign.folder = experiment.file;
-  if (experiment.excitation) campaign.channels.push_back(experiment.excitation->channel);
+  for (const SimulatedChannel& excitation : experiment.excitations) campaign.channels.push_back(excitation.channel);
   for (const SimulatedChannel& response : experiment.responses) campaign.channels.push_back(response.channel);
   campaign.modal_basis = experiment.modal_basis;
   const ModalProjection projection = modal_projection(campaign, *plan.model);
-  const std::size_t first = experiment.excitation ? 1 : 0;
+  const std::size_t first = experiment.excitations.size();
   for (std::size_t k = 0; k < modes; ++k) {
     double variance = 0;
     for (std::size_t c = 0; c < projection.channels.size(); ++c)
@@ -90,7 +90,7 @@ void read_sensors(const PlanRequest& request, PlanResult& plan) {
     noise.response_sd[k] = std::sqrt(variance);
   }
   noise.derivatives = projection.derivatives;
-  noise.excitation_sd = experiment.excitation ? experiment.excitation->noise_sd : 0;
+  noise.excitation_sd = experiment.excitations.empty() ? 0 : experiment.excitations.front().noise_sd;
   noise.sample_rate_hz = experiment.sample_rate_hz;
   if (!experiment.dwells.empty()) noise.ensemble_s = experiment.dwells.front().ensemble_s;
   if (*std::min_element(noise.response_sd.begin(), noise.response_sd.end()) <= 0)

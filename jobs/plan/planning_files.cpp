@@ -69,7 +69,8 @@ std::string minutes(double seconds) {
 
 // Of the excitation's amplitude: that of the experiment written beside the report.
 std::string excitation_unit(const PlanResult& plan) {
-  return plan.sensors && plan.sensors->excitation ? plan.sensors->excitation->channel.unit : "m/s^2";
+  const bool known = plan.sensors && !plan.sensors->excitations.empty();
+  return known ? plan.sensors->excitations.front().channel.unit : "m/s^2";
 }
 
 Table dwell_table(const Programme& programme, const PlanResult& plan) {
@@ -281,8 +282,8 @@ std::string plan_experiment(const PlanRequest& request, const PlanResult& plan) 
   SimulatedChannel base;
   base.channel = {"base", ChannelRole::excitation, Quantity::acceleration, "m/s^2"};
   base.noise_sd = request.excitation_noise;
-  text += "\n[excitation]\n" +
-          channel_toml(plan.sensors && plan.sensors->excitation ? *plan.sensors->excitation : base);
+  const bool known = plan.sensors && !plan.sensors->excitations.empty();
+  text += "\n[excitation]\n" + channel_toml(known ? plan.sensors->excitations.front() : base);
   if (plan.sensors) {
     for (const SimulatedChannel& response : plan.sensors->responses)
       text += "\n[[response]]\n" + channel_toml(response);

@@ -62,9 +62,9 @@ Programme programme_in_use(const PlanRequest& request, const PlanResult& plan, c
   bool tables = false;
   if (plan.sensors) {
     for (const DwellProgramme& dwells : plan.sensors->dwells)
-      for (const double amplitude : dwells.amplitudes)
-        for (const double hz : dwells.frequencies_hz)
-          add_dwell(programme, hz, amplitude, dwells.ensembles, dwells.settle_s);
+      for (const std::vector<double>& amplitude : dwells.amplitudes)
+        for (const std::vector<double>& hz : dwells.frequencies_hz)
+          add_dwell(programme, hz.front(), amplitude.front(), dwells.ensembles, dwells.settle_s);
   } else {
     const Campaign campaign = request.campaign ? *request.campaign : read_campaign(request.against);
     require_match(campaign, request.against_records);

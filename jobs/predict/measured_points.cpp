@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 
+#include "estimator/model/locked_excitations.hpp"
 #include "input/input_error.hpp"
 #include "jobs/shared/record_selection.hpp"
 #include "measure/observe/observation_set.hpp"
@@ -72,9 +73,13 @@ Varied varied_excitation(const PredictionRequest& request, const Prediction& pre
 bool excited_as_predicted(const Dwell& dwell, const Varied& varied, const Prediction& prediction) {
   const std::size_t count = prediction.model->excitations.size();
   const auto symbols = static_cast<Eigen::Index>(prediction.model->symbols.size());
+  // The order of ResponseField::parameter_names: symbols, excitation frequencies, excitation amplitudes.
+  Eigen::VectorXd frequencies = prediction.parameters.segment(symbols, static_cast<Eigen::Index>(count));
+  if (varied.frequency < count)
+    frequencies(static_cast<Eigen::Index>(varied.frequency)) = dwell.frequency[varied.frequency];
+  LockedExcitations(*prediction.model, *prediction.resonance).follow(frequencies.data());
   for (std::size_t j = 0; j < count; ++j) {
-    // The order of ResponseField::parameter_names: symbols, excitation frequencies, excitation amplitudes.
-    const double frequency = prediction.parameters(symbols + static_cast<Eigen::Index>(j)),
+    const double frequency = frequencies(static_cast<Eigen::Index>(j)),
                  amplitude = prediction.parameters(symbols + static_cast<Eigen::Index>(count + j));
     if (j != varied.frequency && !(std::abs(dwell.frequency[j] - frequency) <= same_frequency * frequency))
       return false;

@@ -1,7 +1,11 @@
 #include "jobs/predict/prediction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "jobs/predict/measured_points.hpp"
@@ -10,6 +14,7 @@
 #include "jobs/predict/simulated_sweep.hpp"
 #include "jobs/shared/model_loading.hpp"
 #include "numerics/in_parallel.hpp"
+#include "report/number_format.hpp"
 
 namespace secular {
 namespace {
@@ -18,14 +23,42 @@ constexpr int backbone_points = 200;
 
 void add_backbones(const PredictionRequest& request, const ResponseField& field, RangeMarks& range,
                    Prediction& prediction) {
-  double largest = request.largest / 2;
-  if (largest == 0)
+  double largest = request.largest / 2, searched = largest;
+  if (largest == 0) {
     largest = amplitude_scale(field, prediction.parameters, 0, prediction.parameters(0),
                               1.0001 * prediction.parameters(0));
-  for (std::size_t k = 0; k < field.active().size(); ++k)
+    searched = 4 * largest;  // as responses are
+  }
+  for (std::size_t k = 0; k < field.active().size(); ++k) {
     prediction.backbones.emplace_back(std::string(prediction.model->coordinates[field.active()[k]]),
                                       backbone(field, prediction.parameters, k, largest, backbone_points));
+    prediction.limit_cycles.push_back(limit_cycles(field, prediction.parameters, k, searched, 4 * backbone_points));
+  }
   range.mark_backbones(field);
+}
+
+// Jumps that lie farther than one step from every fold, threshold and other special point of the expansion.
+void warn_of_other_jumps(Prediction& prediction) {
+  for (const PredictedSweep& sweep : prediction.sweeps)
+    for (const PredictedSweep::Jump& jump : sweep.jumps) {
+      const double step = std::abs(jump.to - jump.from), middle = 0.5 * (jump.from + jump.to);
+      std::optional<double> nearest;
+      for (const ResponseBranch& branch : prediction.diagram.branches)
+        for (const ResponseSpecial& special : branch.special)
+          if (!nearest || std::abs(special.at.parameter - middle) < std::abs(*nearest - middle))
+            nearest = special.at.parameter;
+      if (nearest && std::abs(*nearest - middle) <= 1.5 * step) continue;
+      const auto place = [&](double value) {
+        return report::format_number(value / prediction.axis, 6) +
+               (prediction.axis_unit.empty() ? "" : " " + prediction.axis_unit);
+      };
+      prediction.warnings.push_back(fmt::format(
+          "the simulated sweep {} jumps between {} and {}, and {}: the full equations are right; jumps of "
+          "the expansion are off there, or a disturbance leaves its motion before its end",
+          sweep.direction, place(jump.from), place(jump.to),
+          nearest ? "the nearest fold or threshold of the expansion is at " + place(*nearest)
+                  : "the expansion has no fold or threshold"));
+    }
 }
 
 void add_diagram(const PredictionRequest& request, const ResponseField& field, const ResponseRequest& response,
@@ -51,6 +84,7 @@ void add_diagram(const PredictionRequest& request, const ResponseField& field, c
     if (!std::all_of(swept.points.begin(), swept.points.end(), [](const SweepPoint& p) { return p.settled; }))
       prediction.warnings.push_back("the simulated sweep " + swept.direction +
                                     " has dwells that did not settle within their time");
+  warn_of_other_jumps(prediction);
 }
 
 void add_curves(const PredictionRequest& request, const ResponseField& field, const ResponseRequest& response,

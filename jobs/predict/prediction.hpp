@@ -11,6 +11,7 @@
 #include "jobs/shared/parameter_file.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/observe/observation_set.hpp"
+#include "motion/response/limit_cycles.hpp"
 #include "motion/response/response_curve.hpp"
 #include "motion/simulate/stepped_sweep.hpp"
 
@@ -73,6 +74,7 @@ struct Prediction {
   ResponseDiagram diagram;
   std::vector<ResponseCurve> curves;
   std::vector<std::pair<std::string, std::vector<BackbonePoint>>> backbones;
+  std::vector<std::vector<LimitCycle>> limit_cycles;  ///< by backbone
   std::vector<PredictedSweep> sweeps;
   std::vector<MeasuredPoint> measured;
   std::vector<std::string> warnings;

@@ -204,15 +204,25 @@ std::string prediction_json(const Prediction& prediction) {
       result["curves"].push_back(std::move(entry));
     }
   }
-  for (const auto& [mode, points] : prediction.backbones) {
+  for (std::size_t k = 0; k < prediction.backbones.size(); ++k) {
+    const auto& [mode, points] = prediction.backbones[k];
+    const auto place = [](const BackbonePoint& at) {
+      return Json{{"amplitude", 2 * at.amplitude},
+                  {"frequency", at.frequency},
+                  {"frequency_hz", at.frequency / two_pi},
+                  {"outside_expansion", at.outside}};
+    };
     Json entry;
     entry["mode"] = mode;
-    for (const BackbonePoint& at : points)
-      entry["points"].push_back({{"amplitude", 2 * at.amplitude},
-                                 {"frequency", at.frequency},
-                                 {"frequency_hz", at.frequency / two_pi},
-                                 {"growth", at.growth},
-                                 {"outside_expansion", at.outside}});
+    entry["limit_cycles"] = Json::array();
+    for (const LimitCycle& cycle : prediction.limit_cycles[k]) {
+      entry["limit_cycles"].push_back(place(cycle.at));
+      entry["limit_cycles"].back()["stable"] = cycle.stable;
+    }
+    for (const BackbonePoint& at : points) {
+      entry["points"].push_back(place(at));
+      entry["points"].back()["growth"] = at.growth;
+    }
     result["backbones"].push_back(std::move(entry));
   }
   if (!prediction.sweeps.empty()) result["simulated_sweeps"] = sweeps_json(prediction);

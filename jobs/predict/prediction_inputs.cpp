@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "estimator/model/locked_excitations.hpp"
 #include "input/input_error.hpp"
 #include "jobs/shared/number_file.hpp"
 #include "jobs/shared/parameter_file.hpp"
@@ -19,6 +21,9 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+/// Observed over natural frequency, or the other way: no resonance at all, and one.
+constexpr double far_off = 2, near_by = 1.1;
 
 bool is_excitation_frequency(const CompiledModel& model, const std::string& name) {
   return std::find(model.excitation_frequencies.begin(), model.excitation_frequencies.end(), name) !=
@@ -34,8 +39,8 @@ void check_combination(const PredictionRequest& request, const Prediction& predi
   if (!excited && (request.vary || request.against || request.sweep_up || request.sweep_down))
     throw InputError(
         "--vary, --curve, --sweep", "", "case " + name + " is without excitation",
-        "leave them out: its backbone is computed; --largest sets how far. Limit cycles of a model that "
-        "excites itself are found over a parameter in a case that does not say excitation = false");
+        "leave them out: its backbone and limit cycles are computed; --largest sets how far. Over a parameter "
+        "limit cycles are found in a case that does not say excitation = false");
   if (!excited) return;
   if (!request.vary)
     throw InputError("--vary", "", "is missing",
@@ -99,6 +104,81 @@ void take_representative(const GivenParameters& given, const PredictionRequest& 
                     request.parameters, fmt::join(open, ", ")));
 }
 
+// Frequencies that follow others: they may be given where they agree.
+void follow_locked(const PredictionRequest& request, Prediction& prediction) {
+  const CompiledModel& model = *prediction.model;
+  const LockedExcitations locked(model, *prediction.resonance);
+  const auto symbols = static_cast<Index>(model.symbols.size());
+  const VectorXd given = prediction.parameters;
+  locked.follow(prediction.parameters.data() + symbols);
+  for (std::size_t j = 0; j < model.excitations.size(); ++j) {
+    if (!locked.follows(j)) continue;
+    const Index at = symbols + static_cast<Index>(j);
+    const std::string& name = prediction.names[static_cast<std::size_t>(at)];
+    const auto is_varied = [&](const auto& parameter) { return parameter && parameter->name == name; };
+    if (is_varied(prediction.vary) || is_varied(prediction.against))
+      throw InputError("--vary " + name, "", "follows from the relations: " + locked.text(j),
+                       "vary the frequency that it follows");
+    if (std::isfinite(given(at)) && std::isfinite(prediction.parameters(at)) &&
+        std::abs(given(at) - prediction.parameters(at)) > 1e-9 * std::abs(given(at)))
+      throw InputError(request.parameters, name,
+                       fmt::format("is {:g} rad/s, and {} makes it {:g} rad/s{}", given(at), locked.text(j),
+                                   prediction.parameters(at), prediction.vary ? " in the middle of the range" : ""),
+                       "leave it out: it follows");
+  }
+}
+
+// Largest ratio, as a logarithm, between the observed frequency of a mode and its natural one at the place of the
+// range where it is least, of the mode with the least, all excitation frequencies times `factor`. Nothing where no
+// excitation's frequency is observed.
+std::optional<double> distance_from_resonance(const Prediction& prediction, double factor) {
+  const CompiledModel& model = *prediction.model;
+  const CompiledCase& resonance = *prediction.resonance;
+  const std::size_t columns = model.modes() + model.excitations.size();
+  std::optional<double> least;
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    VectorXd p = prediction.parameters;
+    p(index_of(prediction, prediction.vary->name)) =
+        prediction.vary->from + share * (prediction.vary->to - prediction.vary->from);
+    double* const frequency = p.data() + model.symbols.size();
+    LockedExcitations(model, resonance).follow(frequency);
+    for (std::size_t k = 0; k < model.modes(); ++k) {
+      double observed = 0;
+      bool driven = false;
+      for (std::size_t c = 0; c < columns; ++c) {
+        const Ratio weight = resonance.observed_frequency[k * columns + c];
+        driven = driven || (c >= model.modes() && weight.numerator != 0);
+        observed += static_cast<double>(weight.numerator) / weight.denominator *
+                    (c < model.modes() ? p(static_cast<Index>(c)) : factor * frequency[c - model.modes()]);
+      }
+      if (!driven || resonance.mode_at_rest[k] || !(observed > 0)) continue;
+      const double here = std::abs(std::log(observed / p(static_cast<Index>(k))));
+      least = std::min(least.value_or(here), here);
+    }
+  }
+  return least;
+}
+
+// Hz taken for rad/s, or the other way: the range is far from resonance as it is read and at it in the other unit.
+void notice_unit(const PredictionRequest& request, Prediction& prediction) {
+  if (!prediction.vary) return;
+  const auto is_frequency = [&](const std::string& name) {
+    return is_excitation_frequency(*prediction.model, name);
+  };
+  if (!is_frequency(prediction.vary->name) &&
+      std::none_of(request.at.begin(), request.at.end(),
+                   [&](const auto& entry) { return is_frequency(entry.first); }))
+    return;
+  const std::optional<double> as_read = distance_from_resonance(prediction, 1),
+                              otherwise = distance_from_resonance(prediction, request.hz ? 1 / two_pi : two_pi);
+  if (!as_read || !otherwise || *as_read < std::log(far_off) || *otherwise > std::log(near_by)) return;
+  prediction.warnings.push_back(fmt::format(
+      "excitation frequencies are read in {}, {:.1f} times off resonance at least; in {} they would be at "
+      "it: {} --hz?",
+      request.hz ? "Hz" : "rad/s", std::exp(*as_read), request.hz ? "rad/s" : "Hz",
+      request.hz ? "leave out" : "forgotten"));
+}
+
 void read_parameters(const ModelSource& source, const PredictionRequest& request, Prediction& prediction) {
   const CompiledModel& model = *prediction.model;
   GivenParameters given = request.given ? *request.given : read_parameter_file(request.parameters);
@@ -123,6 +203,7 @@ void read_parameters(const ModelSource& source, const PredictionRequest& request
       prediction.parameters(index_of(prediction, (*varied)->name)) = 0.5 * ((*varied)->from + (*varied)->to);
   if (!prediction.resonance->excited)
     for (Index p = static_cast<Index>(model.symbols.size()); p < count; ++p) prediction.parameters(p) = 0;
+  follow_locked(request, prediction);
   std::string missing;
   for (Index p = 0; p < count; ++p)
     if (!std::isfinite(prediction.parameters(p)))
@@ -151,6 +232,7 @@ void read_prediction_inputs(const ModelSource& source, const PredictionRequest& 
   check_combination(request, prediction);
   take_vary(request, prediction);
   read_parameters(source, request, prediction);
+  notice_unit(request, prediction);
 }
 
 }  // namespace secular

@@ -378,6 +378,20 @@ void add_jumps(report::HtmlReport& page, const Prediction& prediction) {
     page.table(table);
 }
 
+void add_limit_cycles(report::HtmlReport& page, const Prediction& prediction) {
+  Table table;
+  table.columns = {{"Limit cycle of", Column::Kind::text, ""},
+                   {"Amplitude", Column::Kind::number, ""},
+                   {"Frequency", Column::Kind::number, "Hz"},
+                   {"Stability", Column::Kind::text, ""}};
+  for (std::size_t k = 0; k < prediction.backbones.size(); ++k)
+    for (const LimitCycle& cycle : prediction.limit_cycles[k])
+      table.rows.push_back({prediction.backbones[k].first, report::format_number(2 * cycle.at.amplitude, 6),
+                            report::format_number(cycle.at.frequency * to_hz, 6),
+                            cycle.stable ? "stable" : "unstable"});
+  if (!table.rows.empty()) page.table(table);
+}
+
 std::string verdict_of(const Prediction& prediction) {
   if (!prediction.backbones.empty()) {
     const auto& [name, points] = prediction.backbones.front();
@@ -465,6 +479,7 @@ std::string prediction_report(const Prediction& prediction, const std::vector<re
   if (!prediction.backbones.empty()) {
     page.section("Backbones");
     draw();
+    add_limit_cycles(page, prediction);
   } else if (prediction.against) {
     for (const ResponseCurve& curve : prediction.curves)
       for (const auto& [kind, at] : curve.special)

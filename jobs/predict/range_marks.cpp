@@ -13,7 +13,7 @@
 namespace secular {
 
 RangeMarks::RangeMarks(const ModelSource& source, Prediction& prediction, unsigned threads)
-    : prediction_(prediction), threads_(threads) {
+    : prediction_(prediction), locked_(*prediction.model, *prediction.resonance), threads_(threads) {
   try {
     range_.emplace(*prediction.model, *prediction.resonance,
                    source.expansion_sizes(std::string(prediction.resonance->name)));
@@ -67,6 +67,7 @@ void RangeMarks::mark_diagram(const ResponseRequest& response) {
   const auto add = [&](ResponsePoint& point, bool counts) {
     Eigen::VectorXd parameters = response.parameters;
     parameters(response.parameter) = point.parameter;
+    locked_.follow(parameters.data() + prediction_.model->symbols.size());
     places.push_back({std::move(parameters), &point.modes.amplitude, &point.outside, counts});
   };
   for (ResponseBranch& branch : prediction_.diagram.branches) {
@@ -82,6 +83,7 @@ void RangeMarks::mark_curves(const CurveRequest& request) {
     Eigen::VectorXd parameters = request.response.parameters;
     parameters(request.response.parameter) = point.first;
     parameters(request.second) = point.second;
+    locked_.follow(parameters.data() + prediction_.model->symbols.size());
     places.push_back({std::move(parameters), &point.modes.amplitude, &point.outside, counts});
   };
   for (ResponseCurve& curve : prediction_.curves) {
@@ -92,16 +94,19 @@ void RangeMarks::mark_curves(const CurveRequest& request) {
 }
 
 void RangeMarks::mark_backbones(const ResponseField& field) {
+  std::vector<std::pair<std::size_t, BackbonePoint*>> points;
+  for (std::size_t k = 0; k < prediction_.backbones.size(); ++k) {
+    for (BackbonePoint& point : prediction_.backbones[k].second) points.emplace_back(k, &point);
+    for (LimitCycle& cycle : prediction_.limit_cycles[k]) points.emplace_back(k, &cycle.at);
+  }
   std::vector<std::vector<std::complex<double>>> amplitudes;
-  for (std::size_t k = 0; k < prediction_.backbones.size(); ++k)
-    for (const BackbonePoint& point : prediction_.backbones[k].second) {
-      amplitudes.emplace_back(prediction_.model->modes());
-      amplitudes.back()[field.active()[k]] = point.amplitude;
-    }
+  for (const auto& [k, point] : points) {
+    amplitudes.emplace_back(prediction_.model->modes());
+    amplitudes.back()[field.active()[k]] = point->amplitude;
+  }
   std::vector<Place> places;
-  for (auto& [name, points] : prediction_.backbones)
-    for (BackbonePoint& point : points)
-      places.push_back({prediction_.parameters, &amplitudes[places.size()], &point.outside, true});
+  for (const auto& [k, point] : points)
+    places.push_back({prediction_.parameters, &amplitudes[places.size()], &point->outside, true});
   mark(std::move(places));
 }
 

@@ -31,6 +31,7 @@ class RangeMarks {
   void warn_of_moved_rest(const std::vector<Place>& places);
 
   Prediction& prediction_;
+  LockedExcitations locked_;
   unsigned threads_;
   std::optional<ExpansionRange> range_;
 };

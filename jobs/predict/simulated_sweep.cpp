@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "estimator/model/locked_excitations.hpp"
 #include "input/input_error.hpp"
 
 namespace secular {
@@ -31,6 +32,7 @@ PredictedSweep simulated_sweep(const PredictionRequest& request, const Predictio
   if (response.parameter < symbols)
     throw InputError("--sweep", "", "the varied parameter " + prediction.vary->name + " is not of the excitation",
                      "sweeps go over an excitation frequency or amplitude");
+  const LockedExcitations locked(model, *prediction.resonance);
   PredictedSweep swept;
   swept.direction = direction;
   SteppedSweep steps;
@@ -42,6 +44,7 @@ PredictedSweep simulated_sweep(const PredictionRequest& request, const Predictio
     p(response.parameter) = direction == "up" ? response.lower + share * (response.upper - response.lower)
                                               : response.upper - share * (response.upper - response.lower);
     swept.parameter.push_back(p(response.parameter));
+    locked.follow(p.data() + symbols);
     SweepStep step;
     for (Index j = 0; j < excitations; ++j) {
       step.frequency.push_back(p(symbols + j));

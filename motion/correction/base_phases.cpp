@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "estimator/model/locked_excitations.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 
 namespace secular {
@@ -64,19 +65,30 @@ std::optional<BasePhases> base_phases(const CompiledModel& model, const Compiled
   const ModeFrequencies modes = mode_frequencies(model, resonance);
   const std::size_t width = model.modes() + model.excitations.size();
   const std::size_t excitations = resonance.excited ? model.excitations.size() : 0;
-  const std::size_t count = excitations + modes.free.size();
+  const LockedExcitations locked(model, resonance);
+  std::vector<std::size_t> columns;  // of the frequencies that a base phase is a part of
+  for (std::size_t j = 0; j < excitations; ++j)
+    if (!locked.follows(j)) columns.push_back(model.modes() + j);
+  columns.insert(columns.end(), modes.free.begin(), modes.free.end());
+  const std::size_t count = columns.size();
   if (count == 0 || count > 2) return std::nullopt;
   BasePhases base{std::vector<LinePhase>(model.modes()), std::vector<LinePhase>(excitations),
                   Eigen::MatrixXd::Zero(static_cast<Index>(count), static_cast<Index>(width))};
   for (std::size_t j = 0; j < count; ++j) {
-    const std::size_t column = j < excitations ? model.modes() + j : modes.free[j - excitations];
+    const std::size_t column = columns[j];
     const auto share = [&](std::size_t k) { return resonance.observed_frequency[k * width + column]; };
     int divisor = 1;
     for (std::size_t k = 0; k < model.modes(); ++k)
       if (modes.oscillates[k]) divisor = std::lcm(divisor, share(k).denominator);
+    for (std::size_t e = 0; column >= model.modes() && e < excitations; ++e)
+      divisor = std::lcm(divisor, locked.share(e, column - model.modes()).denominator);
     for (std::size_t k = 0; k < model.modes(); ++k)
       if (modes.oscillates[k]) base.mode[k][j] = share(k).numerator * divisor / share(k).denominator;
-    if (j < excitations) base.excitation[j][j] = divisor;
+    if (column >= model.modes()) {
+      const std::size_t leader = column - model.modes();
+      for (std::size_t e = 0; e < excitations; ++e)
+        base.excitation[e][j] = locked.share(e, leader).numerator * divisor / locked.share(e, leader).denominator;
+    }
     base.turns(static_cast<Index>(j), static_cast<Index>(column)) = 1.0 / divisor;
   }
   count_by_modes(base, modes);

@@ -55,7 +55,7 @@ VectorXd typical_parameters(const ConstVector& parameters) {
 }  // namespace
 
 ResponseField::ResponseField(const CompiledModel& model, const CompiledCase& resonance)
-    : model_(&model), case_(&resonance) {
+    : model_(&model), case_(&resonance), locked_(model, resonance) {
   for (std::size_t k = 0; k < model.modes(); ++k)
     if (!resonance.mode_at_rest[k]) active_.push_back(k);
   if (active_.empty()) throw std::invalid_argument("a case with every mode at rest has no response");
@@ -108,10 +108,12 @@ void ResponseField::modulate(const ConstVector& parameters, const Amplitude& amp
   const std::size_t modes = model_->modes(), excitations = model_->excitations.size();
   Numbers all(modes), rate(modes), forcing(std::max<std::size_t>(1, excitations));
   for (std::size_t k = 0; k < active_.size(); ++k) all[active_[k]] = amplitude(static_cast<Index>(k));
-  const double* const frequency = parameters.data() + model_->symbols.size();
+  const double* const given = parameters.data() + model_->symbols.size();
   if (case_->excited)
-    for (std::size_t j = 0; j < excitations; ++j) forcing[j] = frequency[excitations + j];
-  case_->modulation(parameters.data(), frequency, all.data(), forcing.data(), rate.data());
+    for (std::size_t j = 0; j < excitations; ++j) forcing[j] = given[excitations + j];
+  boost::container::small_vector<double, 6> frequency(given, given + excitations);
+  locked_.follow(frequency.data());
+  case_->modulation(parameters.data(), frequency.data(), all.data(), forcing.data(), rate.data());
   for (std::size_t k = 0; k < active_.size(); ++k) put(static_cast<Index>(k), rate[active_[k]]);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "estimator/model/compiled_model.hpp"
+#include "estimator/model/locked_excitations.hpp"
 #include "motion/response/vector_field.hpp"
 
 namespace secular {
@@ -18,7 +19,8 @@ struct ModeAmplitudes {
 };
 
 /// The modulation equations of a resonance case as a real vector field. Its parameters are the model's symbols, the
-/// excitation frequencies (rad/s) and the excitation amplitudes (peak, at phase zero), in this order.
+/// excitation frequencies (rad/s) and the excitation amplitudes (peak, at phase zero), in this order. Of
+/// frequencies that follow others (LockedExcitations) the entries are not read.
 ///
 /// Phases that no resonance relation ties to the excitation are free: B_k -> B_k exp(i n_k theta) turns solutions
 /// into solutions wherever sum_k r_k n_k = 0 for the relations' weights r_k. Such a symmetry turns fixed points
@@ -38,6 +40,7 @@ class ResponseField {
 
   const CompiledModel& model() const { return *model_; }
   const CompiledCase& resonance() const { return *case_; }
+  const LockedExcitations& locked() const { return locked_; }
   /// Modes not at rest.
   const std::vector<std::size_t>& active() const { return active_; }
   /// Rows n, [active mode]; empty where all phases are tied.
@@ -83,6 +86,7 @@ class ResponseField {
 
   const CompiledModel* model_;
   const CompiledCase* case_;
+  LockedExcitations locked_;
   std::vector<std::size_t> active_;
   Eigen::MatrixXd symmetries_;
   std::vector<Eigen::Index> pinned_;  // active modes, one a symmetry

@@ -76,4 +76,10 @@ ExcitationSignal random_phase_multisine(double low_hz, double high_hz, std::size
   };
 }
 
+ExcitationSignal side_by_side(std::vector<ExcitationSignal> signals) {
+  return [signals = std::move(signals)](double time, ExcitationSample* samples) {
+    for (std::size_t j = 0; j < signals.size(); ++j) signals[j](time, samples + j);
+  };
+}
+
 }  // namespace secular

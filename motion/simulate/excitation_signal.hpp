@@ -7,7 +7,7 @@
 
 namespace secular {
 
-/// Base motions of a virtual test, for a model's first excitation; all with their first two derivatives by time.
+/// Base motions of a virtual test, for one excitation of a model; all with their first two derivatives by time.
 
 /// amplitude*(cos(x) + sum_n harmonics[n]*cos((n+2)*x)) with x = omega*t + phase; a shaker that distorts has
 /// harmonics.
@@ -24,5 +24,8 @@ ExcitationSignal half_sine_pulse(double peak, double at_s, double width_s);
 /// phases from `seed`, root mean square `rms`.
 ExcitationSignal random_phase_multisine(double low_hz, double high_hz, std::size_t lines, double rms,
                                         std::uint64_t seed);
+
+/// One signal for each excitation of a model, in their order.
+ExcitationSignal side_by_side(std::vector<ExcitationSignal> signals);
 
 }  // namespace secular

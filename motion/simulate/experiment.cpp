@@ -53,33 +53,74 @@ Eigen::VectorXd read_parameters(const TomlTable& table, const Target& target, co
   return values;
 }
 
-SignalProgramme read_sweep(const TomlTable& table, double sample_rate_hz) {
+// What an excited record needs.
+void require_channels(const TomlTable& table, const char* key, const Experiment& experiment) {
+  if (experiment.excitations.empty())
+    table.fail(key, "an excited record needs an excitation channel", "describe it in [excitation]");
+}
+
+// One number for each excitation: a number where the model has one, a list where it has several.
+std::vector<double> by_excitation(const TomlTable& table, std::string_view key, const Target& target) {
+  std::vector<double> values;
+  if (target.excitations == 1)
+    values = {table.number(key)};
+  else
+    values = table.numbers(key);
+  if (values.size() != target.excitations)
+    table.fail(key, fmt::format("has {} numbers", values.size()),
+               "one for every excitation: " + listed(target.excitation_names()));
+  return values;
+}
+
+// At least one of them drives the model, none backwards.
+void refuse_silence(const TomlTable& table, std::string_view key, const std::vector<double>& amplitudes) {
+  if (*std::min_element(amplitudes.begin(), amplitudes.end()) < 0 ||
+      *std::max_element(amplitudes.begin(), amplitudes.end()) <= 0)
+    table.fail(key, "is not positive",
+               amplitudes.size() == 1 ? "a positive number was expected"
+                                      : "zero for an excitation that is silent, and a positive number for another");
+}
+
+void refuse_frequency(const TomlTable& table, std::string_view key, const std::vector<double>& frequencies,
+                      double sample_rate_hz) {
+  for (const double f : frequencies)
+    if (f <= 0 || f >= 0.5 * sample_rate_hz)
+      table.fail(key, "holds a frequency outside (0, half the sample rate)", "correct it");
+}
+
+SignalProgramme read_sweep(const TomlTable& table, const Target& target, double sample_rate_hz) {
   table.refuse_unknown_keys(
       {"from_hz", "to_hz", "rate_hz_per_s", "amplitude", "settle_s", "initial_displacement", "group"});
   SignalProgramme sweep;
   sweep.kind = SignalProgramme::Kind::sweep;
-  sweep.low_hz = frequency(table, "from_hz", sample_rate_hz);
-  sweep.high_hz = frequency(table, "to_hz", sample_rate_hz);
-  if (sweep.low_hz == sweep.high_hz) table.fail("to_hz", "equals from_hz", "a sweep goes somewhere");
-  sweep.rate_hz_per_s = std::copysign(positive(table, "rate_hz_per_s"), sweep.high_hz - sweep.low_hz);
-  sweep.duration_s = (sweep.high_hz - sweep.low_hz) / sweep.rate_hz_per_s;
-  sweep.amplitude = positive(table, "amplitude");
+  sweep.from_hz = by_excitation(table, "from_hz", target);
+  sweep.to_hz = by_excitation(table, "to_hz", target);
+  refuse_frequency(table, "from_hz", sweep.from_hz, sample_rate_hz);
+  refuse_frequency(table, "to_hz", sweep.to_hz, sample_rate_hz);
+  double farthest = 0;
+  for (std::size_t j = 0; j < sweep.from_hz.size(); ++j)
+    farthest = std::max(farthest, std::abs(sweep.to_hz[j] - sweep.from_hz[j]));
+  if (farthest == 0) table.fail("to_hz", "equals from_hz", "a sweep goes somewhere");
+  sweep.duration_s = farthest / positive(table, "rate_hz_per_s");
+  sweep.amplitude = by_excitation(table, "amplitude", target);
+  refuse_silence(table, "amplitude", sweep.amplitude);
   sweep.settle_s = positive(table, "settle_s", 60.0);
   return sweep;
 }
 
-SignalProgramme read_impact(const TomlTable& table) {
+SignalProgramme read_impact(const TomlTable& table, const Target& target) {
   table.refuse_unknown_keys({"peak", "at_s", "width_s", "duration_s", "initial_displacement", "group"});
   SignalProgramme impact;
   impact.kind = SignalProgramme::Kind::impact;
-  impact.amplitude = positive(table, "peak");
+  impact.amplitude = by_excitation(table, "peak", target);
+  refuse_silence(table, "peak", impact.amplitude);
   impact.at_s = not_negative(table, "at_s");
   impact.width_s = positive(table, "width_s");
   impact.duration_s = positive(table, "duration_s");
   return impact;
 }
 
-SignalProgramme read_broadband(const TomlTable& table, double sample_rate_hz) {
+SignalProgramme read_broadband(const TomlTable& table, const Target& target, double sample_rate_hz) {
   table.refuse_unknown_keys(
       {"low_hz", "high_hz", "lines", "rms", "seed", "settle_s", "duration_s", "initial_displacement", "group"});
   SignalProgramme broadband;
@@ -93,26 +134,80 @@ SignalProgramme read_broadband(const TomlTable& table, double sample_rate_hz) {
   const std::int64_t seed = table.has("seed") ? table.integer("seed") : 1;
   if (seed < 0) table.fail("seed", "is negative", "zero or a positive integer");
   broadband.seed = static_cast<std::uint64_t>(seed);
-  broadband.amplitude = positive(table, "rms");
+  broadband.amplitude = by_excitation(table, "rms", target);
+  refuse_silence(table, "rms", broadband.amplitude);
   broadband.settle_s = not_negative(table, "settle_s");
   broadband.duration_s = positive(table, "duration_s");
   return broadband;
 }
 
 void read_signals(const TomlTable& root, const Target& target, Experiment& experiment) {
-  const auto add = [&](const TomlTable& table, const SignalProgramme& programme) {
-    if (!experiment.excitation)
-      table.fail("group", "an excited record needs an excitation channel", "describe it in [excitation]");
-    if (target.excitations != 1)
-      table.fail("group", "the model has several excitations", "records are simulated for one excitation");
-    experiment.signals.push_back(programme);
-    experiment.signals.back().initial_displacement = by_mode(table, "initial_displacement", target);
-    experiment.signals.back().group = table.string_or("group", "");
+  const auto add_all = [&](const char* kind, const auto& read) {
+    for (const TomlTable& table : root.tables(kind)) {
+      require_channels(table, "group", experiment);
+      experiment.signals.push_back(read(table));
+      experiment.signals.back().initial_displacement = by_mode(table, "initial_displacement", target);
+      experiment.signals.back().group = table.string_or("group", "");
+    }
   };
-  for (const TomlTable& table : root.tables("sweep")) add(table, read_sweep(table, experiment.sample_rate_hz));
-  for (const TomlTable& table : root.tables("impact")) add(table, read_impact(table));
-  for (const TomlTable& table : root.tables("broadband"))
-    add(table, read_broadband(table, experiment.sample_rate_hz));
+  const double rate = experiment.sample_rate_hz;
+  add_all("sweep", [&](const TomlTable& table) { return read_sweep(table, target, rate); });
+  add_all("impact", [&](const TomlTable& table) { return read_impact(table, target); });
+  add_all("broadband", [&](const TomlTable& table) { return read_broadband(table, target, rate); });
+}
+
+// Rows of one number for each excitation; where there is one excitation, a list.
+std::vector<std::vector<double>> settings_of(const TomlTable& table, const char* key, const Target& target) {
+  std::vector<std::vector<double>> settings;
+  if (target.excitations > 1) settings = table.number_rows(key);
+  if (target.excitations == 1)
+    for (const double value : table.numbers(key)) settings.push_back({value});
+  for (const std::vector<double>& setting : settings)
+    if (setting.size() != target.excitations)
+      table.fail(key, fmt::format("has a row of {} numbers", setting.size()),
+                 "one for every excitation: " + listed(target.excitation_names()));
+  return settings;
+}
+
+DwellProgramme read_dwell(const TomlTable& table, const Target& target, const Experiment& experiment) {
+  table.refuse_unknown_keys({"frequencies_hz", "amplitudes", "phases", "ensembles", "ensemble_s", "settle_s",
+                             "carry_state", "initial_displacement", "group"});
+  require_channels(table, "frequencies_hz", experiment);
+  DwellProgramme dwell;
+  dwell.frequencies_hz = settings_of(table, "frequencies_hz", target);
+  dwell.amplitudes = settings_of(table, "amplitudes", target);
+  for (const std::vector<double>& f : dwell.frequencies_hz)
+    refuse_frequency(table, "frequencies_hz", f, experiment.sample_rate_hz);
+  for (const std::vector<double>& a : dwell.amplitudes)
+    if (*std::min_element(a.begin(), a.end()) <= 0)
+      table.fail("amplitudes", "holds an amplitude that is not positive", "correct it");
+  if (dwell.frequencies_hz.empty() || dwell.amplitudes.empty())
+    table.fail("amplitudes", "nothing to run", "give at least one frequency and amplitude");
+  if (table.has("phases")) dwell.phases = by_excitation(table, "phases", target);
+  dwell.ensembles = static_cast<int>(table.has("ensembles") ? table.integer("ensembles") : 1);
+  if (dwell.ensembles < 1 || dwell.ensembles > 10000) table.fail("ensembles", "is out of range", "1 to 10000");
+  dwell.ensemble_s = positive(table, "ensemble_s", 4.0);
+  dwell.settle_s = positive(table, "settle_s", 60.0);
+  dwell.carry_state = table.boolean_or("carry_state", false);
+  dwell.initial_displacement = by_mode(table, "initial_displacement", target);
+  dwell.group = table.string_or("group", "");
+  return dwell;
+}
+
+// [excitation], or one [[excitation]] for each of the model's, in its order.
+void read_excitations(const TomlTable& root, const Target& target, Experiment& experiment) {
+  if (!root.has("excitation")) return;
+  if (target.excitations == 0) root.fail("excitation", "the model has no excitation", "remove this table");
+  const std::vector<TomlTable> tables =
+      target.excitations == 1 ? std::vector<TomlTable>{root.table("excitation")} : root.tables("excitation");
+  if (tables.size() != target.excitations)
+    root.fail("excitation",
+              fmt::format("there are {} channels for {} excitations", tables.size(), target.excitations),
+              "one [[excitation]] for every one, in this order: " + listed(target.excitation_names()));
+  for (const TomlTable& table : tables) {
+    table.refuse_unknown_keys({"name", "quantity", "unit", "noise_sd", "quantisation", "high_pass_hz"});
+    experiment.excitations.push_back(read_channel(table, ChannelRole::excitation));
+  }
 }
 
 void read_integrator(const TomlTable& root, Experiment& experiment) {
@@ -188,41 +283,12 @@ Experiment read_experiment(const std::filesystem::path& path, const CompiledMode
   experiment.model = root.string("model");
   experiment.parameters = read_parameters(root.table("parameters"), target, stated);
   experiment.sample_rate_hz = positive(root, "sample_rate_hz");
-  if (root.has("excitation")) {
-    const TomlTable table = root.table("excitation");
-    table.refuse_unknown_keys({"name", "quantity", "unit", "noise_sd", "quantisation", "high_pass_hz"});
-    if (target.excitations == 0) root.fail("excitation", "the model has no excitation", "remove this table");
-    experiment.excitation = read_channel(table, ChannelRole::excitation);
-  }
+  read_excitations(root, target, experiment);
   read_integrator(root, experiment);
   read_anti_alias(root, experiment);
   read_responses(root, target, experiment);
-  for (const TomlTable& table : root.tables("dwell")) {
-    table.refuse_unknown_keys({"frequencies_hz", "amplitudes", "ensembles", "ensemble_s", "settle_s", "carry_state",
-                               "initial_displacement", "group"});
-    if (!experiment.excitation)
-      table.fail("frequencies_hz", "a dwell needs an excitation channel", "describe it in [excitation]");
-    if (target.excitations != 1)
-      table.fail("frequencies_hz", "the model has several excitations", "dwells are simulated for one excitation");
-    DwellProgramme dwell;
-    dwell.frequencies_hz = table.numbers("frequencies_hz");
-    dwell.amplitudes = table.numbers("amplitudes");
-    for (const double f : dwell.frequencies_hz)
-      if (f <= 0 || f >= 0.5 * experiment.sample_rate_hz)
-        table.fail("frequencies_hz", "holds a frequency outside (0, half the sample rate)", "correct it");
-    for (const double a : dwell.amplitudes)
-      if (a <= 0) table.fail("amplitudes", "holds an amplitude that is not positive", "correct it");
-    if (dwell.frequencies_hz.empty() || dwell.amplitudes.empty())
-      table.fail("amplitudes", "nothing to run", "give at least one frequency and amplitude");
-    dwell.ensembles = static_cast<int>(table.has("ensembles") ? table.integer("ensembles") : 1);
-    if (dwell.ensembles < 1 || dwell.ensembles > 10000) table.fail("ensembles", "is out of range", "1 to 10000");
-    dwell.ensemble_s = positive(table, "ensemble_s", 4.0);
-    dwell.settle_s = positive(table, "settle_s", 60.0);
-    dwell.carry_state = table.boolean_or("carry_state", false);
-    dwell.initial_displacement = by_mode(table, "initial_displacement", target);
-    dwell.group = table.string_or("group", "");
-    experiment.dwells.push_back(std::move(dwell));
-  }
+  for (const TomlTable& table : root.tables("dwell"))
+    experiment.dwells.push_back(read_dwell(table, target, experiment));
   for (const TomlTable& table : root.tables("free_decay")) {
     table.refuse_unknown_keys({"initial_displacement", "initial_velocity", "duration_s", "group"});
     FreeDecayProgramme decay;

@@ -29,9 +29,10 @@ struct SimulatedChannel {
   double base = 0;            ///< of an acceleration: what it sees of the base acceleration
 };
 
-/// Steady sinusoidal excitation at every combination of frequency and amplitude, in the order listed.
+/// Steady sinusoidal excitation at every combination of frequencies and amplitudes, in the order listed.
 struct DwellProgramme {
-  std::vector<double> frequencies_hz, amplitudes;
+  std::vector<std::vector<double>> frequencies_hz, amplitudes;  ///< [setting][excitation]
+  std::vector<double> phases;  ///< [excitation] rad, at the dwell's beginning; empty: all zero
   int ensembles = 1;
   double ensemble_s = 4;
   double settle_s = 60;
@@ -50,13 +51,13 @@ struct FreeDecayProgramme {
 struct SignalProgramme {
   enum class Kind { sweep, impact, broadband };
   Kind kind = Kind::sweep;
-  double amplitude = 0;            ///< sweep: of the sinusoid; impact: peak; broadband: root mean square
-  double low_hz = 0, high_hz = 0;  ///< sweep: from, to (may fall); broadband: band
-  double rate_hz_per_s = 0;        ///< sweep
-  double at_s = 0, width_s = 0;    ///< impact: start and length of the half-sine pulse
-  std::size_t lines = 0;           ///< broadband
-  std::uint64_t seed = 0;          ///< broadband
-  double settle_s = 0;             ///< sweep: at its first frequency; broadband: before recording
+  std::vector<double> amplitude;       ///< [excitation] sweep: of the sinusoid; impact: peak; broadband: rms
+  std::vector<double> from_hz, to_hz;  ///< [excitation] sweep; may fall, or stand still
+  double low_hz = 0, high_hz = 0;      ///< broadband: band
+  double at_s = 0, width_s = 0;        ///< impact: start and length of the half-sine pulse
+  std::size_t lines = 0;               ///< broadband
+  std::uint64_t seed = 0;              ///< broadband: of the first excitation, one more for each further one
+  double settle_s = 0;                 ///< sweep: at its first frequency; broadband: before recording
   double duration_s = 0;
   std::vector<double> initial_displacement;
   std::string group;
@@ -75,7 +76,7 @@ struct Experiment {
   std::string model;
   Eigen::VectorXd parameters;  ///< by CompiledModel::symbols
   double sample_rate_hz = 0;
-  std::optional<SimulatedChannel> excitation;
+  std::vector<SimulatedChannel> excitations;  ///< none, or one for each of the model's
   std::vector<SimulatedChannel> responses;
   std::optional<ModalBasis> modal_basis;  ///< what the campaign states, right or wrong
   std::optional<AntiAliasFilter> anti_alias;
@@ -83,8 +84,8 @@ struct Experiment {
   std::vector<DwellProgramme> dwells;
   std::vector<FreeDecayProgramme> free_decays;
   std::vector<SignalProgramme> signals;
-  std::vector<double> shaker_harmonics;  ///< of dwells and sweeps: amplitudes at 2, 3, ... times the frequency over
-                                         ///< the first
+  /// Of the first excitation in dwells and sweeps: amplitudes at 2, 3, ... times the frequency over that at it.
+  std::vector<double> shaker_harmonics;
   std::vector<SensorFault> faults;
 };
 

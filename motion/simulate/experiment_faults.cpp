@@ -11,7 +11,9 @@ namespace {
 SensorFault sensor_fault(const TomlTable& table, ChannelFault kind, const std::string& channel,
                          const Experiment& experiment) {
   SensorFault fault{kind, channel, 0};
-  bool known = experiment.excitation && experiment.excitation->channel.name == fault.channel;
+  bool known = false;
+  for (const SimulatedChannel& excitation : experiment.excitations)
+    known = known || excitation.channel.name == fault.channel;
   for (const SimulatedChannel& response : experiment.responses)
     known = known || response.channel.name == fault.channel;
   if (!known) table.fail("channel", "'" + fault.channel + "' is no channel of this experiment");
@@ -20,7 +22,7 @@ SensorFault sensor_fault(const TomlTable& table, ChannelFault kind, const std::s
     table.fail("strength", "is not positive", "the level at which the channel saturates");
   if (fault.kind == ChannelFault::skew && std::abs(fault.strength) * experiment.sample_rate_hz > 1000)
     table.fail("strength", "is more than 1000 samples", "seconds");
-  if (fault.kind == ChannelFault::cross_axis && !experiment.excitation)
+  if (fault.kind == ChannelFault::cross_axis && experiment.excitations.empty())
     table.fail("channel", "there is no excitation to pick up", "describe it in [excitation]");
   return fault;
 }
@@ -113,7 +115,8 @@ void read_shaker(const TomlTable& root, const Target& target, Experiment& experi
       if (table.has(key)) table.fail(key, "stands without armature_hz", "the armature's natural frequency in Hz");
     return;
   }
-  if (!experiment.excitation) table.fail("armature_hz", "there is no excitation", "describe it in [excitation]");
+  if (experiment.excitations.empty())
+    table.fail("armature_hz", "there is no excitation", "describe it in [excitation]");
   Armature armature;
   armature.omega = two_pi * positive(table, "armature_hz");
   armature.damping = positive(table, "armature_damping");

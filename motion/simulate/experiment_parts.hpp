@@ -20,6 +20,8 @@ struct Target {
   std::vector<ExperimentEffect> effects;  ///< all of the file
   std::size_t modes = 0, excitations = 0;
   std::vector<std::string_view> coordinates;
+
+  std::span<const std::string_view> excitation_names() const { return model.excitations.first(excitations); }
 };
 
 /// Throws InputError if `installed` lacks a motion effect of the file.

@@ -27,7 +27,7 @@ struct Task {
   const DwellProgramme* dwell = nullptr;
   const FreeDecayProgramme* decay = nullptr;
   const SignalProgramme* signal = nullptr;
-  double frequency_hz = 0, amplitude = 0;
+  std::vector<double> frequency_hz, amplitude;  // of a dwell: [excitation]
   double started_s = 0;
 };
 using Chain = std::vector<Task>;
@@ -56,7 +56,8 @@ class VirtualTest {
   void describe_channels() {
     campaign_.name = experiment_.name;
     campaign_.sample_rate_hz = experiment_.sample_rate_hz;
-    if (experiment_.excitation) campaign_.channels.push_back(experiment_.excitation->channel);
+    for (const SimulatedChannel& excitation : experiment_.excitations)
+      campaign_.channels.push_back(excitation.channel);
     for (const SimulatedChannel& response : experiment_.responses) campaign_.channels.push_back(response.channel);
     campaign_.modal_basis = experiment_.modal_basis;
   }
@@ -76,13 +77,13 @@ class VirtualTest {
     };
     for (const DwellProgramme& dwell : experiment_.dwells) {
       bool first = true;
-      for (const double amplitude : dwell.amplitudes)
-        for (const double frequency : dwell.frequencies_hz) {
+      for (const std::vector<double>& amplitude : dwell.amplitudes)
+        for (const std::vector<double>& frequency : dwell.frequencies_hz) {
           clock += dwell.settle_s;
           RecordEntry entry;
           entry.kind = RecordKind::dwell;
-          entry.excitation_frequency_hz = frequency;
-          entry.excitation_amplitude = amplitude;
+          entry.excitation_frequency_hz = frequency.front();
+          entry.excitation_amplitude = amplitude.front();
           entry.ensemble_s = dwell.ensemble_s;
           entry.group = dwell.group;
           add(std::move(entry), {0, &dwell, nullptr, nullptr, frequency, amplitude, 0},
@@ -95,7 +96,7 @@ class VirtualTest {
       RecordEntry entry;
       entry.kind = RecordKind::free_decay;
       entry.group = decay.group;
-      add(std::move(entry), {0, nullptr, &decay, nullptr, 0, 0, 0}, false);
+      add(std::move(entry), {0, nullptr, &decay, nullptr, {}, {}, 0}, false);
       clock += decay.duration_s;
     }
     for (const SignalProgramme& signal : experiment_.signals) {
@@ -104,7 +105,7 @@ class VirtualTest {
       RecordEntry entry;
       entry.kind = kinds[static_cast<std::size_t>(signal.kind)];
       entry.group = signal.group;
-      add(std::move(entry), {0, nullptr, nullptr, &signal, 0, 0, 0}, false);
+      add(std::move(entry), {0, nullptr, nullptr, &signal, {}, {}, 0}, false);
       clock += signal.duration_s;
     }
   }
@@ -112,7 +113,7 @@ class VirtualTest {
   // State that one record hands to the next of its chain.
   struct Course {
     MotionState state;
-    double phase = 0;  // of the excitation
+    std::vector<double> phase;  // [excitation]
   };
 
   template <class Finished>
@@ -132,6 +133,8 @@ class VirtualTest {
         if (first) {
           course.state.displacement = task.dwell->initial_displacement;
           course.state.velocity.assign(model_.modes(), 0.0);
+          course.phase = task.dwell->phases;
+          course.phase.resize(experiment_.excitations.size(), 0.0);
         }
         run_dwell(task, course);
       }
@@ -149,38 +152,50 @@ class VirtualTest {
     store(task, recorded(task, silent, course, {.count = count}));
   }
 
-  // Moves the excitation's phase on, so that the next dwell goes on without a jump.
+  // Shakers distort the first excitation.
+  std::vector<double> shaker_harmonics(std::size_t excitation) const {
+    return excitation == 0 ? experiment_.shaker_harmonics : std::vector<double>{};
+  }
+
+  // Moves the excitations' phases on, so that the next dwell goes on without a jump.
   void run_dwell(const Task& task, Course& course) {
-    const double omega = two_pi * task.frequency_hz;
-    const ExcitationSignal signal =
-        harmonic_wave(omega, task.amplitude, course.phase, experiment_.shaker_harmonics);
+    std::vector<ExcitationSignal> waves;
+    for (std::size_t j = 0; j < course.phase.size(); ++j)
+      waves.push_back(
+          harmonic_wave(two_pi * task.frequency_hz[j], task.amplitude[j], course.phase[j], shaker_harmonics(j)));
+    const ExcitationSignal signal = side_by_side(std::move(waves));
     const double rate = experiment_.sample_rate_hz;
     const auto count = static_cast<std::size_t>(task.dwell->ensembles) *
                        static_cast<std::size_t>(std::lround(task.dwell->ensemble_s * rate));
     store(task, recorded(task, signal, course, {.first = task.dwell->settle_s, .count = count}));
     const double end = task.dwell->settle_s + static_cast<double>(count - 1) / rate;
-    course.phase = std::remainder(omega * end + course.phase, two_pi);
+    for (std::size_t j = 0; j < course.phase.size(); ++j)
+      course.phase[j] = std::remainder(two_pi * task.frequency_hz[j] * end + course.phase[j], two_pi);
   }
 
   void run_signal(const Task& task, Course& course) {
     const SignalProgramme& p = *task.signal;
     const auto count = static_cast<std::size_t>(std::floor(p.duration_s * experiment_.sample_rate_hz)) + 1;
+    std::vector<ExcitationSignal> steady, moving;
     if (p.kind == SignalProgramme::Kind::sweep) {
-      // Steady at the first frequency until time 0, with phase 0 there.
-      const std::vector<double>& harmonics = experiment_.shaker_harmonics;
-      const ExcitationSignal steady = harmonic_wave(two_pi * p.low_hz, p.amplitude, 0, harmonics);
-      const ExcitationSignal sweep = linear_sweep(p.low_hz, p.rate_hz_per_s, p.amplitude, harmonics);
+      // Steady at the first frequencies until time 0, with phase 0 there.
+      for (std::size_t j = 0; j < p.amplitude.size(); ++j) {
+        const double rate = (p.to_hz[j] - p.from_hz[j]) / p.duration_s;
+        steady.push_back(harmonic_wave(two_pi * p.from_hz[j], p.amplitude[j], 0, shaker_harmonics(j)));
+        moving.push_back(linear_sweep(p.from_hz[j], rate, p.amplitude[j], shaker_harmonics(j)));
+      }
+      const ExcitationSignal before = side_by_side(std::move(steady)), sweep = side_by_side(std::move(moving));
       const ExcitationSignal signal = [&](double time, ExcitationSample* samples) {
-        (time < 0 ? steady : sweep)(time, samples);
+        (time < 0 ? before : sweep)(time, samples);
       };
       store(task, recorded(task, signal, course, {.from = -p.settle_s, .count = count}));
       return;
     }
     const bool impact = p.kind == SignalProgramme::Kind::impact;
-    const ExcitationSignal signal = impact
-                                        ? half_sine_pulse(p.amplitude, p.at_s, p.width_s)
-                                        : random_phase_multisine(p.low_hz, p.high_hz, p.lines, p.amplitude, p.seed);
-    store(task, recorded(task, signal, course,
+    for (std::size_t j = 0; j < p.amplitude.size(); ++j)
+      moving.push_back(impact ? half_sine_pulse(p.amplitude[j], p.at_s, p.width_s)
+                              : random_phase_multisine(p.low_hz, p.high_hz, p.lines, p.amplitude[j], p.seed + j));
+    store(task, recorded(task, side_by_side(std::move(moving)), course,
                          {.first = p.settle_s, .count = count, .largest_step = impact ? p.width_s / 8 : 0}));
   }
 
@@ -195,7 +210,7 @@ class VirtualTest {
   Record recorded(const Task& task, const ExcitationSignal& signal, Course& course,
                   const Recording& recording) const {
     const auto& [from, first, count, largest_step] = recording;
-    const bool excited = experiment_.excitation.has_value();
+    const std::size_t excitations = experiment_.excitations.size();
     const std::size_t oversampling = experiment_.anti_alias ? experiment_.anti_alias->oversampling : 1;
     const double rate = experiment_.sample_rate_hz * static_cast<double>(oversampling);
     // Samples before the first, on which the filters settle.
@@ -206,7 +221,8 @@ class VirtualTest {
     settings.level = level(task);
     settings.label = fmt::format("{}, record {}", experiment_.file, task.record + 1);
     std::vector<ChannelChain> chains;
-    if (excited) chains.emplace_back(*experiment_.excitation, experiment_.anti_alias, rate);
+    for (const SimulatedChannel& excitation : experiment_.excitations)
+      chains.emplace_back(excitation, experiment_.anti_alias, rate);
     for (const SimulatedChannel& response : experiment_.responses)
       chains.emplace_back(response, experiment_.anti_alias, rate);
     Record record;
@@ -219,9 +235,8 @@ class VirtualTest {
         course.state, [&](const MotionSample& sample) {
           const bool keep = i >= lead && (i - lead) % oversampling == 0;
           for (std::size_t c = 0; c < chains.size(); ++c) {
-            const bool base = excited && c == 0;
-            const double seen =
-                base ? sample.excitation[0].value : measured(experiment_.responses[c - (excited ? 1 : 0)], sample);
+            const double seen = c < excitations ? sample.excitation[c].value
+                                                : measured(experiment_.responses[c - excitations], sample);
             const double value = chains[c](seen);
             if (keep) record.channels[c][(i - lead) / oversampling] = value;
           }
@@ -230,12 +245,12 @@ class VirtualTest {
     return record;
   }
 
-  // Amplitude of a harmonic as strong as what drives a record.
+  // Amplitude of a harmonic as strong as the first excitation.
   static double level(const Task& task) {
-    if (!task.signal) return task.amplitude;
+    if (task.dwell) return task.amplitude.front();
+    if (task.decay || task.signal->kind == SignalProgramme::Kind::impact) return 0;
     const SignalProgramme& p = *task.signal;
-    if (p.kind == SignalProgramme::Kind::impact) return 0;
-    return p.kind == SignalProgramme::Kind::sweep ? p.amplitude : std::numbers::sqrt2 * p.amplitude;
+    return (p.kind == SignalProgramme::Kind::sweep ? 1 : std::numbers::sqrt2) * p.amplitude.front();
   }
 
   // Time after which the filters have forgotten how they began, to 1e-8 or so.
@@ -244,7 +259,7 @@ class VirtualTest {
     const auto coupling = [&](const SimulatedChannel& channel) {
       if (channel.high_pass_hz > 0) longest = std::max(longest, 3 / channel.high_pass_hz);
     };
-    if (experiment_.excitation) coupling(*experiment_.excitation);
+    for (const SimulatedChannel& excitation : experiment_.excitations) coupling(excitation);
     for (const SimulatedChannel& response : experiment_.responses) coupling(response);
     return longest;
   }
@@ -289,11 +304,11 @@ class VirtualTest {
   void store(const Task& task, Record record) {
     std::vector<std::string> names;
     for (const Channel& channel : campaign_.channels) names.push_back(channel.name);
-    apply_sensor_faults(experiment_.faults, names, experiment_.excitation.has_value(), record);
+    const std::size_t excitations = experiment_.excitations.size();
+    apply_sensor_faults(experiment_.faults, names, excitations > 0, record);
     for (std::size_t c = 0; c < record.channels.size(); ++c) {
-      const bool excitation = experiment_.excitation && c == 0;
       const SimulatedChannel& sensor =
-          excitation ? *experiment_.excitation : experiment_.responses[c - (experiment_.excitation ? 1 : 0)];
+          c < excitations ? experiment_.excitations[c] : experiment_.responses[c - excitations];
       NoiseStream noise(seed_, task.record, c);
       for (double& x : record.channels[c]) {
         if (sensor.noise_sd > 0) x += sensor.noise_sd * noise.gaussian();

@@ -17,7 +17,7 @@ namespace {
 using namespace testing_support;
 using Eigen::Index;
 
-Experiment few_dwells(std::size_t programmes, std::vector<double> frequencies) {
+Experiment few_dwells(std::size_t programmes, std::vector<std::vector<double>> frequencies) {
   Experiment e = shipped_experiment("principal_parametric");
   e.dwells.resize(programmes);
   e.dwells.front().frequencies_hz = std::move(frequencies);
@@ -45,7 +45,7 @@ ObservationSet parametric(const Tested& t) {
 }
 
 TEST(BadCampaign, OneConditionGivesNoNumbersMadeOfNoise) {
-  const Tested t = run(few_dwells(1, {24.7}));
+  const Tested t = run(few_dwells(1, {{24.7}}));
   const ObservationSet set = parametric(t);
   ASSERT_EQ(set.observations.size(), 10U);
   const Estimate result = estimate(set, "kg^(1/2) m", {"m/s^2"}, {});
@@ -59,7 +59,7 @@ TEST(BadCampaign, OneConditionGivesNoNumbersMadeOfNoise) {
 }
 
 TEST(BadCampaign, ResponseNamedExcitationIsSaid) {
-  Tested t = run(few_dwells(1, {24.7}));
+  Tested t = run(few_dwells(1, {{24.7}}));
   std::swap(t.simulated.campaign.channels[0].role, t.simulated.campaign.channels[1].role);
   const ObservationSet set = parametric(t);
   EXPECT_TRUE(set.observations.empty());
@@ -68,7 +68,7 @@ TEST(BadCampaign, ResponseNamedExcitationIsSaid) {
 }
 
 TEST(BadCampaign, TrivialBranchAndUnsettledDwellsAreLeftOut) {
-  Experiment e = few_dwells(1, {24.4, 24.7});
+  Experiment e = few_dwells(1, {{24.4}, {24.7}});
   e.dwells.front().settle_s = 2;  // from a kick: still decaying, or still growing
   e.dwells.front().carry_state = false;
   const ObservationSet unsettled = parametric(run(e));
@@ -76,14 +76,14 @@ TEST(BadCampaign, TrivialBranchAndUnsettledDwellsAreLeftOut) {
   EXPECT_TRUE(warns(unsettled.warnings, "has not settled"));
   e.dwells.front().settle_s = 60;
   e.dwells.front().initial_displacement = {1e-6};
-  e.dwells.front().frequencies_hz = {24.3};
+  e.dwells.front().frequencies_hz = {{24.3}};
   const ObservationSet trivial = parametric(run(e));
   EXPECT_TRUE(trivial.observations.empty());
   EXPECT_TRUE(warns(trivial.warnings, "trivial branch"));
 }
 
 TEST(BadCampaign, WrongLevelIsSaid) {
-  Tested t = run(few_dwells(1, {24.7}));
+  Tested t = run(few_dwells(1, {{24.7}}));
   for (RecordEntry& entry : t.simulated.campaign.records) entry.excitation_amplitude = 10;
   EXPECT_TRUE(warns(parametric(t).warnings, "times the nominal excitation amplitude"));
 }
@@ -245,7 +245,7 @@ TEST(LinearFit, ColumnsMadeOfNoiseAreNotIdentifiable) {
 // for does not.
 TEST(Observation, AnExcitationInNoiseOfHalfItsSizeIsFound) {
   Experiment e = shipped_experiment("principal_parametric");
-  e.excitation->noise_sd = 8;
+  e.excitations.front().noise_sd = 8;
   const CompiledModel& model = *generated::find_compiled_model("two_mass_mode1");
   const SimulatedCampaign simulated = run_virtual_test(e, model, 1, 2);
   const ObservationSet set = observed(simulated, model, case_named(model, "principal_parametric"));

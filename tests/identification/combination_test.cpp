@@ -112,11 +112,11 @@ Experiment combination_experiment() {
     made.shape = std::move(shape);
     return made;
   };
-  e.excitation = channel("base", ChannelRole::excitation, {});
+  e.excitations = {channel("base", ChannelRole::excitation, {})};
   e.responses = {channel("a1", ChannelRole::response, {1.1603, -0.7199}),
                  channel("a2", ChannelRole::response, {0.7336, 1.1428})};
   e.modal_basis = ModalBasis{{"a1", "a2"}, {"v1", "v2"}, {{1.1603, -0.7199}, {0.7336, 1.1428}}};
-  const auto dwell = [&](std::vector<double> frequencies, std::vector<double> levels) {
+  const auto dwell = [&](std::vector<std::vector<double>> frequencies, std::vector<std::vector<double>> levels) {
     DwellProgramme d;
     d.frequencies_hz = std::move(frequencies);
     d.amplitudes = std::move(levels);
@@ -126,9 +126,9 @@ Experiment combination_experiment() {
     d.initial_displacement = {4e-4, 2e-4};
     e.dwells.push_back(d);
   };
-  dwell({45.545, 45.555, 45.565}, {26});
-  dwell({45.56}, {30, 28, 25});
-  dwell({45.57}, {31, 29, 27});
+  dwell({{45.545}, {45.555}, {45.565}}, {{26}});
+  dwell({{45.56}}, {{30}, {28}, {25}});
+  dwell({{45.57}}, {{31}, {29}, {27}});
   return e;
 }
 

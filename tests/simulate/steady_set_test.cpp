@@ -49,7 +49,7 @@ Experiment parametric() {
 Experiment combination() {
   Experiment e = shipped_experiment("thesis_chapter6");
   e.dwells.resize(1);
-  e.dwells[0].frequencies_hz = {45.54};
+  e.dwells[0].frequencies_hz = {{45.54}};
   e.dwells[0].ensembles = 3;
   return e;
 }
