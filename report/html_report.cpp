@@ -190,7 +190,8 @@ void HtmlReport::table(const Table& table) {
   const bool folded = table.rows.size() > most_open_rows;
   const std::string name = escape_markup_line(table.caption.empty() ? "Table" : table.caption);
   if (folded) body_ += fmt::format("<details>\n<summary>{}: {} rows</summary>\n", name, table.rows.size());
-  body_ += fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table>\n", name);
+  body_ += fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table{}>\n", name,
+                       table.columns.size() >= least_wide_columns ? " class=\"wide\"" : "");
   if (!table.caption.empty()) body_ += element("caption", table.caption);
   body_ += "<thead><tr>";
   std::vector<std::vector<std::string>> padding;

@@ -49,6 +49,8 @@ struct Provenance {
 
 /// Rows of a table that stand open on the page.
 inline constexpr std::size_t most_open_rows = 24;
+/// Tables of so many columns have smaller letters and gaps, so that they fit 1280 px.
+inline constexpr std::size_t least_wide_columns = 8;
 
 class HtmlReport {
  public:

@@ -14,7 +14,7 @@ p, ul { margin: 10px 0; max-width: 72ch; }
 ul { padding-left: 22px; }
 .subtitle { color: var(--soft); margin: 6px 0 0; }
 nav { margin: 18px 0 0; font-size: 14px; }
-nav a { color: var(--accent); text-decoration: none; margin-right: 18px; white-space: nowrap; }
+nav a { display: inline-block; max-width: 100%; color: var(--accent); text-decoration: none; margin-right: 18px; }
 .verdict { font-size: 19px; line-height: 1.45; max-width: 64ch; margin: 24px 0 0; padding-left: 14px;
   border-left: 4px solid var(--rule); }
 .verdict.good { border-left-color: var(--good); } .verdict.caution { border-left-color: var(--caution); }
@@ -46,11 +46,17 @@ td { min-width: 5ch; } th { overflow-wrap: normal; }
 td.number, td.short { white-space: nowrap; }
 td.number { font-variant-numeric: tabular-nums; }
 td:not(.number):not(.short) { min-width: 24ch; max-width: 60ch; }
+@media screen {
+  .wide { font-size: 13.5px; } .wide th, .wide td { padding-right: 10px; }
+  .wide th.number, .wide td.number { padding: 6px 12px 6px 4px; }
+  .wide td:not(.number):not(.short) { min-width: 18ch; }
+}
 tr.good td:first-child { color: var(--good); } tr.caution td:first-child { color: var(--caution); }
 tr.bad td:first-child { color: var(--bad); }
 figure { margin: 22px 0; break-inside: avoid; }
 figure .scroll { margin: 0; max-width: 900px; }
 figure svg { display: block; width: 100%; height: auto; max-width: var(--width); min-width: min(560px, var(--width)); }
+figure svg.fine { min-width: calc(0.9*var(--width)); }
 .mark { fill: none; stroke: currentColor; stroke-width: 2; }
 .values { display: block; min-height: 1.6em; font-size: 13.5px; color: var(--soft); font-variant-numeric: tabular-nums; }
 figcaption { font-size: 14px; color: var(--soft); margin-top: 6px; max-width: 80ch; }
@@ -67,7 +73,7 @@ footer pre { white-space: pre-wrap; overflow-wrap: anywhere; }
   details::details-content { content-visibility: visible; block-size: auto; }
   table { font-size: 8pt; } th .unit, caption { font-size: 8pt; } th, td, th.number, td.number { padding: 3px 8px 3px 0; }
   table { width: 100%; } td:not(.number):not(.short) { min-width: 0; }
-  figure svg { min-width: 0; } h2 { margin-top: 24px; }
+  figure svg, figure svg.fine { min-width: 0; } h2 { margin-top: 24px; }
 }
 )css";
 

@@ -67,6 +67,7 @@ std::string pairs_plot(const JointValues& joint, const std::string& title) {
   const int width = static_cast<int>(pairs_left) + side + 10,
             height = static_cast<int>(pairs_top + pairs_bottom) + side;
   std::string svg = svg_head({title, width, height, FigureUse::inline_html});
+  svg.insert(std::string_view("<svg").size(), " class=\"fine\"");  // small letters: phones scroll it
   svg += fmt::format(
       "<g font-size=\"12\">\n<text x=\"{}\" y=\"24\" font-size=\"16\" font-weight=\"600\" "
       "fill=\"currentColor\">{}</text>\n",

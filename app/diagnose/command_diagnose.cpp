@@ -92,7 +92,8 @@ void print_summary(const DiagnosisRun& run, const std::string& folder) {
     fmt::print("  {:>7} {}{}", report::format_percent(c.probability), c.effect,
                c.subject.empty() ? "" : " (" + c.subject + ")");
     if (!c.coefficient_name.empty())
-      fmt::print("  {} = {}", c.coefficient_name, report::format_uncertain(c.coefficient, c.sd));
+      fmt::print("  {} = {}{}", c.coefficient_name, report::format_uncertain(c.coefficient, c.sd),
+                 c.unit.empty() || c.unit == "1" ? "" : " " + c.unit);
     if (c.closed) fmt::print(", closes {}", report::format_percent(*c.closed));
     fmt::print("\n");
   }

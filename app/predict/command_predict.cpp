@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
-#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -64,8 +63,8 @@ void parse(PredictArguments& options) {
   request.sweep_down = std::find(options.sweeps.begin(), options.sweeps.end(), "down") != options.sweeps.end();
 }
 
-std::string located(double value, double axis, const std::string& unit) {
-  return report::format_number(value / axis, 6) + (unit.empty() ? "" : " " + unit);
+std::string located(double value, double axis, const std::string& unit, int digits = 6) {
+  return report::format_number(value / axis, digits) + (unit.empty() ? "" : " " + unit);
 }
 
 void print_summary(const Prediction& prediction, const std::vector<report::NamedFigure>& figures,
@@ -79,16 +78,16 @@ void print_summary(const Prediction& prediction, const std::vector<report::Named
                                        [](const ResponsePoint& point) { return point.outside; });
     fmt::print("branch {}{}: {} points{}\n", b + 1, branch.at_rest ? ", at rest" : "", branch.points.size(),
                outside > 0 ? fmt::format(", {} outside of the expansion's range", outside) : "");
-    std::set<std::string> said;  // solutions that differ in phase alone
     for (const ResponseSpecial& special : branch.special) {
       std::string line = fmt::format("  {:<12} {} = {}", special_name(special), prediction.vary->name,
                                      located(special.at.parameter, prediction.axis, prediction.axis_unit));
       for (std::size_t k = 0; k < prediction.model->modes(); ++k)
         if (!prediction.resonance->mode_at_rest[k] && !special.at.at_rest)
-          line += fmt::format("  amplitude of {} = {}", prediction.model->coordinates[k],
-                              report::format_number(2 * std::abs(special.at.modes.amplitude[k]), 4));
+          line +=
+              fmt::format("  amplitude of {} = {}", prediction.model->coordinates[k],
+                          located(2 * std::abs(special.at.modes.amplitude[k]), 1, prediction.coordinate_unit, 4));
       if (special.at.outside) line += "  (outside of the expansion's range)";
-      if (said.insert(line).second) fmt::print("{}\n", line);
+      fmt::print("{}\n", line);
     }
   }
   for (std::size_t k = 0; k < prediction.backbones.size(); ++k) {
@@ -111,7 +110,7 @@ void print_summary(const Prediction& prediction, const std::vector<report::Named
                  located(jump.to, prediction.axis, prediction.axis_unit));
   if (!prediction.measured.empty()) fmt::print("measured dwells drawn: {}\n", prediction.measured.size());
   for (const ResponseCurve& curve : prediction.curves) {
-    fmt::print("curve of {}: {} points\n", name_of(curve.kind) + " points", curve.points.size());
+    fmt::print("curve of {}: {} points\n", in_words(curve.kind), curve.points.size());
     for (const auto& [kind, at] : curve.special)
       fmt::print("  {} {} = {}, {} = {}\n", kind == CodimensionTwo::cusp ? "cusp" : "double zero",
                  prediction.vary->name, located(at.first, prediction.axis, prediction.axis_unit),

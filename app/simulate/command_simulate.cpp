@@ -51,7 +51,8 @@ void add_simulate_command(CLI::App* command, Action& chosen) {
       if (options->json)
         fmt::print("{{\"records\": {}, \"seed\": {}}}\n", campaign.records.size(), options->request.seed);
       else
-        fmt::print("{} records of {} in {}\n", campaign.records.size(), campaign.name, options->output.path());
+        fmt::print("{} records of {} in {}\nNext: secular inspect {} -o OUT (a report of every record)\n",
+                   campaign.records.size(), campaign.name, options->output.path(), options->output.path());
       return 0;
     };
   });

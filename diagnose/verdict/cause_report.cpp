@@ -59,11 +59,12 @@ std::vector<CauseReport> CauseReporter::causes(const std::vector<Rival>& rivals)
       if (candidate) {
         cause.subject = candidate->subject;
         cause.coefficient_name = unknown_names[candidate->strengths.front()];
+        cause.unit = unit(candidate->strengths.front());
         say_strength(*candidate, fit, of_fit, cause);
         for (const std::size_t shape : candidate->shapes)
           cause.shapes.push_back({unknown_names[shape],
                                   candidate->sign_of_shapes(fit.unknowns) * fit.unknowns(static_cast<Index>(shape)),
-                                  sd_of(fit, shape, of_fit)});
+                                  sd_of(fit, shape, of_fit), unit(shape)});
       }
       if (r.effects.size() == 1 && found.size() < most_closed_shares) cause.closed = closed_share(*r.explanation);
       found.push_back(std::move(cause));

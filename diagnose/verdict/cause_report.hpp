@@ -15,10 +15,12 @@ struct CauseReport {
   double probability = 0;
   double coefficient = 0, sd = 0;
   std::string coefficient_name;
+  std::string unit;  ///< "1" for none, empty where the equations do not fix it (SymbolUnits)
   /// A gap, an exponent, ...
   struct Shape {
     std::string name;
     double value = 0, sd = 0;
+    std::string unit;  ///< as above
   };
   std::vector<Shape> shapes;
   std::optional<double> closed;
@@ -37,6 +39,7 @@ struct OpenLaw {
 struct CauseReporter {
   const std::vector<Candidate>& candidates;
   const std::vector<std::string>& unknown_names;            ///< of the discrepancy
+  std::function<std::string(std::size_t)> unit;             ///< of an unknown
   std::function<Eigen::MatrixXd(const Refit&)> covariance;  ///< of the free unknowns of a fit
   std::function<double(const Explanation&)> closed_share;   ///< of the gap, on held-out conditions
 

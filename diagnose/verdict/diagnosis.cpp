@@ -248,7 +248,9 @@ class OpenDiagnosis::Stages {
     const double there_was = judged_ ? judged_->rows.squaredNorm() : inference_.null.fit.chi_squared;
     result_.residual_structure = residual_structure_of(best_->fit, result_.labels, freedom(),
                                                        std::max(0.0, there_was - best_->fit.chi_squared));
+    const SymbolUnits units(campaign_, model_);
     const CauseReporter reporter{comparison_.candidates, comparison_.unknown_names(model_),
+                                 [&](std::size_t unknown) { return units.of(unknown); },
                                  [&](const Refit& fit) { return covariance_of(fit, result_.labels, freedom()); },
                                  [&](const Explanation& e) { return gap.closed_by(e).closed; }};
     if (best.open_law) result_.open_law = reporter.open_law(best);

@@ -3,28 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "estimator/identification/unit_text.hpp"
-#include "measure/observe/modal_projection.hpp"
-
 namespace secular {
 
 using Eigen::Index;
-
-SymbolUnits::SymbolUnits(const Campaign& campaign, const CompiledModel& model)
-    : model_(model), coordinates_(model.modes(), modal_projection(campaign, model).unit) {
-  for (const Channel& channel : campaign.channels)
-    if (channel.role == ChannelRole::excitation) measured_.push_back(channel.unit);
-}
-
-std::string SymbolUnits::of(std::size_t symbol) const {
-  if (symbol >= model_.symbols.size()) return {};
-  const auto dimension = model_.symbols[symbol].dimension;
-  std::vector<std::string> excitations = measured_;
-  excitations.resize(model_.excitations.size());
-  for (std::size_t e = measured_.size(); e < excitations.size() && !dimension.empty(); ++e)
-    if (dimension[coordinates_.size() + e].numerator != 0) return {};
-  return unit_text(dimension, coordinates_, excitations);
-}
 
 FittedNumbers fitted_numbers(const Refit& fit, const std::vector<const Candidate*>& members,
                              const std::vector<std::string>& names, const Eigen::MatrixXd& covariance,

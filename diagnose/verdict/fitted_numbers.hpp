@@ -6,22 +6,11 @@
 
 #include "diagnose/effects/candidate.hpp"
 #include "diagnose/inference/refit.hpp"
+#include "estimator/identification/symbol_units.hpp"
 #include "estimator/model/compiled_model.hpp"
 #include "measure/observe/observation_set.hpp"
 
 namespace secular {
-
-/// Units of a model's symbols, from those of the channels.
-class SymbolUnits {
- public:
-  SymbolUnits(const Campaign& campaign, const CompiledModel& model);
-  /// "1" for none, empty where the equations do not fix it, or where it is no symbol of the model.
-  std::string of(std::size_t symbol) const;
-
- private:
-  const CompiledModel& model_;
-  std::vector<std::string> coordinates_, measured_;
-};
 
 /// Numbers that a fit chose and that the data identify: symbols of the model and faults of the measurement.
 struct FittedNumbers {

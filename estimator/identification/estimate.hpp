@@ -37,6 +37,7 @@ struct EstimatedValue {
   /// May be off by more than its error bar: `misfit` is more than two standard deviations without it, or something
   /// else that a warning of the estimate names.
   bool doubtful = false;
+  std::vector<std::string> doubtful_because;  ///< each reason once; none where it is not doubtful
   std::string unit;
   bool identifiable = false;
   bool significant = false;          ///< differs from zero at 95 %

@@ -164,10 +164,17 @@ bool is_significant(const EstimatedValue& value) {
   return value.sd > 0 && two_sided_p_value(*value.value / value.sd, value.degrees_of_freedom) < 0.05;
 }
 
+void doubt(EstimatedValue& value, const std::string& why) {
+  value.doubtful = true;
+  std::vector<std::string>& reasons = value.doubtful_because;
+  if (std::find(reasons.begin(), reasons.end(), why) == reasons.end()) reasons.push_back(why);
+}
+
 void add_misfit(EstimatedValue& value, double misfit) {
   if (!(misfit > 0) || !value.value) return;
   value.misfit = misfit;
-  value.doubtful = misfit > 2 * value.sd;
+  if (misfit > 2 * value.sd)
+    doubt(value, "the model does not fit, and what it lacks may have moved this by more than its error bar");
   value.sd = std::hypot(value.sd, 0.5 * misfit);
 }
 

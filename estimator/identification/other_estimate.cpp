@@ -2,24 +2,26 @@
 
 #include <cmath>
 
+#include "estimator/identification/value_errors.hpp"
+
 namespace secular {
 namespace {
 
-void allow_for_other(EstimatedValue& value, const EstimatedValue& other) {
+void allow_for_other(EstimatedValue& value, const EstimatedValue& other, const std::string& why) {
   if (!value.value || !other.value || value.fixed) return;
   const double misfit = std::abs(*other.value - *value.value);
-  value.doubtful = value.doubtful || misfit > 2 * value.sd;
+  if (misfit > 2 * value.sd) doubt(value, why);
   value.sd = std::hypot(value.sd, 0.5 * misfit);
   value.misfit = std::hypot(value.misfit, misfit);
 }
 
 }  // namespace
 
-void allow_for_other(Estimate& estimate, const Estimate& other) {
+void allow_for_other(Estimate& estimate, const Estimate& other, const std::string& why) {
   for (auto list : {&Estimate::parameters, &Estimate::lumps})
     for (EstimatedValue& value : estimate.*list)
       for (const EstimatedValue& there : other.*list)
-        if (there.name == value.name && there.resonance == value.resonance) allow_for_other(value, there);
+        if (there.name == value.name && there.resonance == value.resonance) allow_for_other(value, there, why);
 }
 
 }  // namespace secular

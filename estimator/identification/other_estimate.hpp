@@ -1,11 +1,13 @@
 #pragma once
 
+#include <string>
+
 #include "estimator/identification/estimate.hpp"
 
 namespace secular {
 
 /// Lets every number be wrong by what it is in another estimate of the same symbols, docs/inference.md (57): the
-/// difference joins its misfit.
-void allow_for_other(Estimate& estimate, const Estimate& other);
+/// difference joins its misfit. `why`: the reason of a doubt where that dominates the error bar.
+void allow_for_other(Estimate& estimate, const Estimate& other, const std::string& why);
 
 }  // namespace secular

@@ -8,6 +8,7 @@
 #include "estimator/identification/identified_lumps.hpp"
 #include "estimator/identification/short_list.hpp"
 #include "estimator/identification/unsupported_values.hpp"
+#include "estimator/identification/value_errors.hpp"
 #include "measure/observe/common_observations.hpp"
 #include "numerics/confidence.hpp"
 #include "numerics/in_parallel.hpp"
@@ -122,7 +123,7 @@ Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, cons
   const auto widen = [&](EstimatedValue& value, double change) {
     if (!value.value || value.fixed || !(change > 0)) return;
     if (change > value.sd) {
-      value.doubtful = true;
+      doubt(value, "the correction for the expansion's truncation has not come to rest");
       const std::string label = label_of(value, latest);
       if (std::find(moved.begin(), moved.end(), label) == moved.end()) moved.push_back(label);
     }
@@ -141,7 +142,7 @@ Estimate with_unsettled_correction(Estimate latest, const VectorXd& before, cons
 }
 
 Estimate with_failed_correction(Estimate raw, const std::string& why) {
-  doubt_all(raw);
+  doubt_all(raw, "the full equations with these numbers do not make the motion that was measured");
   raw.warnings.push_back(
       "the full equations with these numbers do not make the motion that was measured (" + why +
       "): every value is doubtful, and standard deviations do not contain the expansion's truncation");

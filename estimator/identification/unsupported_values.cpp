@@ -7,6 +7,7 @@
 
 #include "estimator/identification/equation_data.hpp"
 #include "estimator/identification/short_list.hpp"
+#include "estimator/identification/value_errors.hpp"
 
 namespace secular {
 namespace {
@@ -81,6 +82,7 @@ void take_out(Estimate& estimate, const std::set<std::string>& cases, const std:
     if (std::find(names.begin(), names.end(), label) == names.end()) names.push_back(label);
     value.value.reset();
     value.identifiable = value.significant = value.doubtful = false;
+    value.doubtful_because.clear();
     value.from = "not determined: " + why;
   });
   if (!names.empty()) estimate.warnings.push_back(why + ": no numbers are given for " + short_list(names));
@@ -113,7 +115,8 @@ void doubt_without_force(Estimate& estimate, std::span<const CaseFit> fits) {
     if (any) continue;
     const std::set<std::string> this_one{std::string(resonance.name)};
     for_each_number(estimate, [&](EstimatedValue& value) {
-      if (told_by_these_alone(value, this_one)) value.doubtful = true;
+      if (told_by_these_alone(value, this_one))
+        doubt(value, "no coefficient of the excitation differs from zero, although the motion is excited");
     });
     estimate.warnings.push_back(
         "case " + std::string(resonance.name) +
@@ -124,22 +127,22 @@ void doubt_without_force(Estimate& estimate, std::span<const CaseFit> fits) {
   }
 }
 
-void doubt_what_differs(Estimate& estimate, const Estimate& other) {
-  const auto compare = [](std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& others) {
+void doubt_what_differs(Estimate& estimate, const Estimate& other, const std::string& why) {
+  const auto compare = [&why](std::vector<EstimatedValue>& values, const std::vector<EstimatedValue>& others) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       EstimatedValue& value = values[i];
       if (!value.value || value.fixed) continue;
       const EstimatedValue& free = others[i];
       if (!free.value || std::abs(*value.value - *free.value) > 2 * std::hypot(value.sd, free.sd))
-        value.doubtful = true;
+        doubt(value, why);
     }
   };
   compare(estimate.parameters, other.parameters);
   compare(estimate.lumps, other.lumps);
 }
 
-void doubt_all(Estimate& estimate) {
-  for_each_number(estimate, [](EstimatedValue& value) { value.doubtful = true; });
+void doubt_all(Estimate& estimate, const std::string& why) {
+  for_each_number(estimate, [&why](EstimatedValue& value) { doubt(value, why); });
 }
 
 }  // namespace secular

@@ -32,10 +32,10 @@ void doubt_without_force(Estimate& estimate, std::span<const CaseFit> fits);
 
 /// Values are doubtful that differ from those of `other`, an estimate of the same under fewer assumptions, by more
 /// than two standard deviations of the difference at least (J. A. Hausman, Econometrica 46, 1978), or that this one
-/// does not have.
-void doubt_what_differs(Estimate& estimate, const Estimate& other);
+/// does not have; `why`: what the other one assumes, as a reason.
+void doubt_what_differs(Estimate& estimate, const Estimate& other, const std::string& why);
 
 /// Nothing that was estimated can be relied upon.
-void doubt_all(Estimate& estimate);
+void doubt_all(Estimate& estimate, const std::string& why);
 
 }  // namespace secular

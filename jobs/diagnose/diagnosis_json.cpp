@@ -97,9 +97,11 @@ Json cause_json(const CauseReport& cause) {
     entry["coefficient"] = cause.coefficient;
     entry["sd"] = cause.sd;
     entry["symbol"] = cause.coefficient_name;
+    entry["unit"] = cause.unit;
   }
   for (const CauseReport::Shape& shape : cause.shapes)
-    entry["shapes"].push_back({{"symbol", shape.name}, {"value", shape.value}, {"sd", shape.sd}});
+    entry["shapes"].push_back(
+        {{"symbol", shape.name}, {"value", shape.value}, {"sd", shape.sd}, {"unit", shape.unit}});
   if (cause.closed) entry["closed"] = *cause.closed;
   return entry;
 }

@@ -284,7 +284,8 @@ void which_section(HtmlReport& page, const Diagnosis& d) {
   Table table;
   table.columns = {{"Effect", Column::Kind::text, ""},        {"Of", Column::Kind::text, ""},
                    {"Probability", Column::Kind::number, ""}, {"Coefficient", Column::Kind::text, ""},
-                   {"Value", Column::Kind::number, ""},       {"Closes alone", Column::Kind::number, ""}};
+                   {"Value", Column::Kind::number, ""},       {"Unit", Column::Kind::text, ""},
+                   {"Closes alone", Column::Kind::number, ""}};
   std::size_t shown = 0;
   for (const CauseReport& cause : d.causes) {
     if (++shown > most_causes) break;
@@ -293,7 +294,7 @@ void which_section(HtmlReport& page, const Diagnosis& d) {
     table.rows.push_back(
         {spaced(cause.effect), cause.subject, report::format_percent(cause.probability), cause.coefficient_name,
          cause.coefficient_name.empty() ? "" : report::format_uncertain(cause.coefficient, cause.sd),
-         cause.closed ? report::format_percent(*cause.closed) : ""});
+         report::pretty_unit(cause.unit), cause.closed ? report::format_percent(*cause.closed) : ""});
     table.row_tones.push_back(in_set ? Tone::good : Tone::neutral);
   }
   table.caption = "Every effect was tried with all of the model's own parameters fitted beside it.";

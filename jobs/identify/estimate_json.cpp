@@ -46,6 +46,7 @@ Json value_json(const EstimatedValue& value, bool lump, const Estimate& estimate
   if (value.value && value.between_records) entry["scatter_between_records"] = scatter_json(value, estimate);
   if (value.misfit > 0) entry["misfit"] = value.misfit;
   if (value.doubtful) entry["doubtful"] = true;
+  if (value.doubtful) entry["doubtful_because"] = value.doubtful_because;
   if (value.truncation != 0) entry["truncation_correction"] = -value.truncation;
   if (!value.identifiable) entry["entangled_with"] = value.entangled_with;
   if (!value.nearly_entangled_with.empty()) entry["nearly_entangled_with"] = value.nearly_entangled_with;
@@ -186,6 +187,7 @@ void add_following(Json& result, const std::vector<FollowingEstimate>& all) {
   for (const FollowingEstimate& following : all) {
     Json entry = {{"name", following.name}, {"value", following.value}, {"sd", following.sd}};
     if (following.doubtful) entry["doubtful"] = true;
+    if (following.doubtful) entry["doubtful_because"] = {following.doubtful_because};
     result["follows_from_rest"].push_back(std::move(entry));
   }
 }
@@ -217,6 +219,7 @@ Json json_of(const Identification& identification) {
     result["case"] = cases.front();
   else
     result["cases"] = cases;
+  result["coordinate_unit"] = identification.coordinate_unit;
   result["estimates"] = Json::array();
   for (const EstimatedValue& value : identification.estimate.parameters)
     result["estimates"].push_back(value_json(value, false, identification.estimate));

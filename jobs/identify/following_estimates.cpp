@@ -85,6 +85,12 @@ Changes changes_of(const FollowingLaw& law, const Sources& sources,
   return changes;
 }
 
+// The first reason is kept.
+void doubt(FollowingEstimate& following, const std::string& why) {
+  if (!following.doubtful) following.doubtful_because = why;
+  following.doubtful = true;
+}
+
 }  // namespace
 
 std::vector<FollowingEstimate> following_estimates(const FollowingLaw& law, const Estimate& estimate) {
@@ -97,10 +103,11 @@ std::vector<FollowingEstimate> following_estimates(const FollowingLaw& law, cons
       if (const auto slope = coefficient.slopes.find(sources.names[i]); slope != coefficient.slopes.end())
         scaled(static_cast<Eigen::Index>(i)) = slope->second * sources.sd(static_cast<Eigen::Index>(i));
     const double variance = scaled.dot(sources.correlation * scaled);
-    const bool doubtful =
-        std::any_of(estimate.parameters.begin(), estimate.parameters.end(),
-                    [&](const EstimatedValue& v) { return v.doubtful && coefficient.slopes.contains(v.name); });
-    result.push_back({coefficient.name, coefficient.value, std::sqrt(std::max(0.0, variance)), doubtful});
+    FollowingEstimate following{coefficient.name, coefficient.value, std::sqrt(std::max(0.0, variance))};
+    for (const EstimatedValue& v : estimate.parameters)
+      if (v.doubtful && coefficient.slopes.contains(v.name))
+        doubt(following, "it follows from " + v.name + ", which is doubtful");
+    result.push_back(std::move(following));
   }
   if (follow.empty() || sources.names.empty()) return result;
   const Changes changes = changes_of(law, sources, follow);
@@ -111,7 +118,8 @@ std::vector<FollowingEstimate> following_estimates(const FollowingLaw& law, cons
       continue;
     for (Eigen::Index other = 0; other < changes.off.cols(); ++other) {
       FollowingEstimate& same = result[static_cast<std::size_t>(other)];
-      if (other == c || changes.linear(worst, other) > largest_following_deviation * same.sd) same.doubtful = true;
+      if (other == c || changes.linear(worst, other) > largest_following_deviation * same.sd)
+        doubt(same, "it is far from linear in what it follows from, within the error bars");
     }
   }
   return result;

@@ -15,6 +15,7 @@ struct FollowingEstimate {
   std::string name;
   double value = 0, sd = 0;
   bool doubtful = false;  ///< one of those that it follows from is, or (R4) finds it far from linear
+  std::string doubtful_because = {};
 };
 
 /// The coefficients that follow from the numbers by name.

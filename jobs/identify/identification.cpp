@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "estimator/identification/other_estimate.hpp"
+#include "estimator/identification/value_errors.hpp"
 #include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
@@ -148,11 +149,13 @@ void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTas
   for (const ObservationSet& set : observed) without.push_back(without_cubic_part(set, *sensor));
   std::string allowed = "numbers are allowed what they move by where that is taken off";
   try {
-    allow_for_other(id.estimate, estimate_with_phases(without, task).of.estimate);
+    allow_for_other(id.estimate, estimate_with_phases(without, task).of.estimate,
+                    "it moves where the third harmonics of a sensor that is not linear are taken off");
   } catch (const NumericalFailure&) {
     allowed = "where that is taken off nothing can be identified, so that no number is sure";
     for (EstimatedValue& value : id.estimate.parameters)
-      value.doubtful = value.doubtful || (value.value && !value.fixed);
+      if (value.value && !value.fixed)
+        doubt(value, "without the harmonics of the sensor nothing can be identified");
   }
   id.estimate.warnings.push_back(fmt::format(
       "case {}: beyond what model and excitation make, the responses' third harmonic grows as the cube "

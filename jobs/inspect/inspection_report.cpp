@@ -237,6 +237,17 @@ std::string file_report(const InspectedFile& inspected, const std::string& path,
 
 }  // namespace
 
+std::vector<report::NamedFigure> inspection_figures(const Inspection& inspected) {
+  std::vector<report::NamedFigure> figures;
+  for (const RecordPictures& pictures :
+       inspected.campaign ? inspected.campaign->pictures : inspected.file->pictures) {
+    const std::string number = std::to_string(pictures.record + 1);
+    figures.push_back({"history_" + number, pictures.history, ""});
+    if (!pictures.spectrum.panels.empty()) figures.push_back({"spectrum_" + number, pictures.spectrum, ""});
+  }
+  return figures;
+}
+
 std::string inspection_report(const Inspection& inspected, const std::string& command) {
   return inspected.campaign ? campaign_report(*inspected.campaign, "campaign: " + inspected.path, command)
                             : file_report(*inspected.file, inspected.path, command);

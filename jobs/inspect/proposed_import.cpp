@@ -11,11 +11,13 @@
 #include <vector>
 
 #include "measure/data/campaign.hpp"
+#include "measure/data/frequency_names.hpp"
 #include "measure/data/names.hpp"
 #include "measure/formats/channel_name.hpp"
 #include "measure/formats/data_file.hpp"
 #include "measure/formats/matrix_lines.hpp"
 #include "measure/formats/number_table.hpp"
+#include "measure/formats/uff_frf.hpp"
 #include "measure/formats/unit.hpp"
 
 namespace secular {
@@ -152,6 +154,52 @@ std::string sample_rate(const FileInspection& file) {
   return "--sample-rate HZ";
 }
 
+// "run(2).freq", "Frequency [Hz]", "omega": may hold the frequencies of a table.
+bool may_be_frequency(const std::string& variable) {
+  std::string name = bracketed_unit(variable).name;
+  name = name.substr(name.rfind('.') + 1);
+  return is_frequency_name(name) || name == "omega" || name == "Omega";
+}
+
+// Whether a column of a table of lines is the phase of another one.
+bool may_be_phase(const VariableInspection& variable) {
+  std::string name = variable.name;
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return variable.unit == "rad" || name.find("phas") != std::string::npos;
+}
+
+// " --channel 'tip=Tip disp [mm]:response' --column 'tip.phase=Phase [deg]'": a phase is that of the channel before
+// it.
+std::string table_columns(const FileInspection& file, const std::string& frequency) {
+  std::vector<const VariableInspection*> channels;
+  std::vector<std::string> variables;
+  std::map<std::size_t, std::string> phases;
+  bool phase_unit_missing = false;
+  for (const VariableInspection* variable : channels_in(file)) {
+    if (variable->name == frequency) continue;
+    if (may_be_phase(*variable) && !channels.empty()) {
+      phases[channels.size() - 1] = variable->name;
+      phase_unit_missing = phase_unit_missing || variable->unit.empty();
+    } else {
+      channels.push_back(variable);
+      variables.push_back(variable->name);
+    }
+  }
+  const std::vector<std::string> names = short_names(variables);
+  std::string text;
+  for (std::size_t c = 0; c < std::min(most_named, names.size()); ++c) {
+    const bool drives = channels[c]->unit == si_unit(Quantity::force) || (c == 0 && !phases.contains(0));
+    text += " --channel " +
+            quoted(fmt::format("{}{}:{}{}", names[c] == variables[c] ? "" : names[c] + "=", variables[c],
+                               drives ? "excitation" : "response", unit_part(*channels[c], file)));
+    if (const auto phase = phases.find(c); phase != phases.end())
+      text += " --column " + quoted(fmt::format("{}.phase={}", names[c], phase->second));
+  }
+  if (!phases.empty()) text += phase_unit_missing ? " --phases DEG_OR_RAD" : "";
+  return text;
+}
+
 }  // namespace
 
 std::string proposed_import(const std::filesystem::path& path, const FileInspection& file) {
@@ -184,6 +232,28 @@ std::string proposed_import(const std::filesystem::path& path, const FileInspect
   if (names.size() > most_named)
     text += fmt::format("; {} more variables are not named here", names.size() - most_named);
   return text + ".";
+}
+
+std::string table_import(const std::filesystem::path& path, const FileInspection& file) {
+  std::string frequency, channels;
+  bool responses = false;
+  for (const VariableInspection& variable : file.variables) {
+    if (frequency.empty() && may_be_frequency(variable.name)) frequency = variable.name;
+    if (variable.name.ends_with(".re") && variable.type.starts_with(frequency_response)) {
+      channels += fmt::format(" --channel {}:response{}", variable.name.substr(0, variable.name.size() - 3),
+                              variable.unit.empty() ? ":QUANTITY:UNIT" : "");
+      responses = true;
+    }
+  }
+  if (frequency.empty()) return {};
+  if (responses) channels = " --channel NAME:excitation:QUANTITY:UNIT --level LEVEL" + channels;
+  if (!responses) channels = table_columns(file, frequency);
+  const bool usual = is_frequency_name(bracketed_unit(frequency).name);
+  return fmt::format(
+      "secular import {} -o CAMPAIGN --kind lines{}{}\nThe excitation is guessed: write response for it, and "
+      "excitation "
+      "where another channel drives",
+      quoted(path.string()), usual ? "" : fmt::format(" --column 'f={}'", frequency), channels);
 }
 
 }  // namespace secular

@@ -7,10 +7,7 @@
 #include <map>
 #include <set>
 
-#include "measure/data/frequency_names.hpp"
 #include "measure/data/line_names.hpp"
-#include "measure/formats/number_table.hpp"
-#include "measure/formats/uff_frf.hpp"
 
 namespace secular {
 namespace {
@@ -47,13 +44,6 @@ std::vector<double> numbers_of(const LineRow& row) {
   return numbers;
 }
 
-// "run(2).freq", "Frequency [Hz]", "omega": may hold the frequencies of a table.
-bool may_be_frequency(const std::string& variable) {
-  std::string name = bracketed_unit(variable).name;
-  name = name.substr(name.rfind('.') + 1);
-  return is_frequency_name(name) || name == "omega" || name == "Omega";
-}
-
 }  // namespace
 
 std::vector<TableSummary> tables_of(const Campaign& campaign) {
@@ -73,25 +63,6 @@ std::vector<TableSummary> tables_of(const Campaign& campaign) {
     if (!fresh) table.faults.push_back(fmt::format("{} is {} once more", row.place, first->second));
   }
   return tables;
-}
-
-std::string table_import(const std::filesystem::path& path, const FileInspection& file) {
-  std::string frequency, channels;
-  bool responses = false;
-  for (const VariableInspection& variable : file.variables) {
-    if (frequency.empty() && may_be_frequency(variable.name)) frequency = variable.name;
-    if (variable.name.ends_with(".re") && variable.type.starts_with(frequency_response)) {
-      channels += fmt::format(" --channel {}:response{}", variable.name.substr(0, variable.name.size() - 3),
-                              variable.unit.empty() ? ":QUANTITY:UNIT" : "");
-      responses = true;
-    }
-  }
-  if (frequency.empty()) return {};
-  const bool usual = is_frequency_name(bracketed_unit(frequency).name);
-  return fmt::format(
-      "secular import {} -o CAMPAIGN --kind lines{} --channel NAME:excitation:QUANTITY:UNIT{}{}", path.string(),
-      usual ? "" : fmt::format(" --column 'f={}'", frequency), responses ? " --level LEVEL" : "",
-      responses ? channels : " --channel NAME:response:QUANTITY:UNIT --column NAME.phase=VARIABLE --phases deg");
 }
 
 }  // namespace secular

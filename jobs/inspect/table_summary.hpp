@@ -1,11 +1,10 @@
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "measure/data/campaign.hpp"
-#include "measure/data/inspection.hpp"
 
 namespace secular {
 
@@ -20,9 +19,5 @@ struct TableSummary {
 
 /// By table, in the order of the campaign.
 std::vector<TableSummary> tables_of(const Campaign& campaign);
-
-/// The command that imports a file that looks like a table of lines: one with a column of frequencies, or frequency
-/// response functions. Else empty.
-std::string table_import(const std::filesystem::path& path, const FileInspection& file);
 
 }  // namespace secular

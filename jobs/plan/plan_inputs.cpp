@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "estimator/identification/unit_text.hpp"
+#include "estimator/identification/symbol_units.hpp"
 #include "input/input_error.hpp"
 #include "jobs/shared/model_loading.hpp"
 #include "jobs/shared/number_file.hpp"
@@ -59,6 +59,15 @@ bool against_is_experiment(const PlanRequest& request) {
                                std::filesystem::path(request.against).extension() == ".toml");
 }
 
+Campaign channels_of(const Experiment& experiment) {
+  Campaign campaign;
+  campaign.folder = experiment.file;
+  for (const SimulatedChannel& excitation : experiment.excitations) campaign.channels.push_back(excitation.channel);
+  for (const SimulatedChannel& response : experiment.responses) campaign.channels.push_back(response.channel);
+  campaign.modal_basis = experiment.modal_basis;
+  return campaign;
+}
+
 // Noise as the request says, or as that of the sensors of an experiment.
 void read_sensors(const PlanRequest& request, PlanResult& plan) {
   const std::size_t modes = plan.model->modes();
@@ -68,18 +77,19 @@ void read_sensors(const PlanRequest& request, PlanResult& plan) {
   noise.sample_rate_hz = request.sample_rate_hz;
   noise.ensemble_s = request.ensemble_s;
   noise.dwell_scatter = request.dwell_scatter;
-  if (request.against.empty() || !against_is_experiment(request)) return;
+  if (request.against.empty()) return;
+  if (!against_is_experiment(request)) {
+    plan.channels = request.campaign ? *request.campaign : read_campaign(request.against);
+    plan.channels->records.clear();
+    return;
+  }
   if (request.against_records.records != Window{}.records)
     throw InputError("--records " + request.against_records.records, "",
                      request.against + " is an experiment, which has no records", "--against a campaign folder");
   plan.sensors = read_experiment(resolve_model(request.against), *plan.model);
   const Experiment& experiment = *plan.sensors;
-  Campaign campaign;
-  campaign.folder = experiment.file;
-  for (const SimulatedChannel& excitation : experiment.excitations) campaign.channels.push_back(excitation.channel);
-  for (const SimulatedChannel& response : experiment.responses) campaign.channels.push_back(response.channel);
-  campaign.modal_basis = experiment.modal_basis;
-  const ModalProjection projection = modal_projection(campaign, *plan.model);
+  plan.channels = channels_of(experiment);
+  const ModalProjection projection = modal_projection(*plan.channels, *plan.model);
   const std::size_t first = experiment.excitations.size();
   for (std::size_t k = 0; k < modes; ++k) {
     double variance = 0;
@@ -98,7 +108,7 @@ void read_sensors(const PlanRequest& request, PlanResult& plan) {
                      "a plan weighs dwells by their noise: give the sensors some");
 }
 
-void find_unknowns(const PlanRequest& request, const GivenParameters& given, PlanResult& plan) {
+void find_unknowns(const PlanRequest& request, PlanResult& plan) {
   for (const std::string& name : request.fixed)
     if (!is_lump_or_frequency(*plan.model, *plan.resonance, name))
       throw InputError(
@@ -117,17 +127,23 @@ void find_unknowns(const PlanRequest& request, const GivenParameters& given, Pla
   }
   if (request.criterion == DesignCriterion::c && plan.wanted.size() != 1)
     throw InputError("--criterion c", "", "is for one parameter", "name one with --for");
-  // An estimate knows the units of its campaign; without one coordinates are modal ones.
+}
+
+// An estimate knows the units of its campaign, an experiment or a campaign in use has its own; without either
+// coordinates are modal ones.
+void find_units(const GivenParameters& given, PlanResult& plan) {
+  const SymbolUnits units = plan.channels ? SymbolUnits(*plan.channels, *plan.model) : SymbolUnits(*plan.model);
+  plan.coordinate_unit = units.coordinate();
   const auto known = given.lump_units.find(std::string(plan.resonance->name));
-  for (std::size_t u = 0; u < names.size(); ++u) {
+  for (std::size_t u = 0; u < plan.unknowns.names.size(); ++u) {
+    const std::string& name = plan.unknowns.names[u];
     const int lump = plan.unknowns.lump[u];
-    const std::span<const Ratio> dimension =
-        lump >= 0 ? plan.resonance->lumps[static_cast<std::size_t>(lump)].dimension : std::span<const Ratio>();
-    const std::vector<std::string> coordinates(plan.model->modes(), "kg^(1/2) m");
-    if (lump >= 0 && known != given.lump_units.end() && known->second.contains(names[u]))
-      plan.units.push_back(known->second.at(names[u]));
+    if (lump < 0)
+      plan.units.emplace_back("rad/s");
+    else if (known != given.lump_units.end() && known->second.contains(name))
+      plan.units.push_back(known->second.at(name));
     else
-      plan.units.push_back(lump < 0 ? "rad/s" : unit_text(dimension, coordinates, {"m/s^2"}));
+      plan.units.push_back(units.of(plan.resonance->lumps[static_cast<std::size_t>(lump)].dimension));
   }
 }
 
@@ -139,7 +155,8 @@ PlanResult plan_inputs(const PlanRequest& request) {
   load_case(source, request, plan);
   const GivenParameters given = read_parameters(source, request, plan);
   read_sensors(request, plan);
-  find_unknowns(request, given, plan);
+  find_unknowns(request, plan);
+  find_units(given, plan);
   return plan;
 }
 

@@ -72,6 +72,8 @@ struct PlanResult {
   Programme plan;
   std::optional<Programme> against;
   std::optional<Experiment> sensors;  ///< of the experiment in use
+  std::optional<Campaign> channels;   ///< of the experiment or campaign in use, without its records
+  std::string coordinate_unit;        ///< of responses
   double budget_s = 0;
   bool meets_target = true;  ///< every wanted deviation at or below that of `against` (where no budget was given)
   std::vector<std::string> warnings;

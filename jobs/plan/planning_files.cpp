@@ -67,10 +67,16 @@ std::string minutes(double seconds) {
   return seconds < 600 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
 }
 
-// Of the excitation's amplitude: that of the experiment written beside the report.
+// What drives the dwells: as in the experiment or campaign in use, else the acceleration of a base.
+Channel excitation_of(const PlanResult& plan) {
+  if (plan.channels)
+    for (const Channel& channel : plan.channels->channels)
+      if (channel.role == ChannelRole::excitation) return channel;
+  return {"base", ChannelRole::excitation, Quantity::acceleration, "m/s^2"};
+}
+
 std::string excitation_unit(const PlanResult& plan) {
-  const bool known = plan.sensors && !plan.sensors->excitations.empty();
-  return known ? plan.sensors->excitations.front().channel.unit : "m/s^2";
+  return excitation_of(plan).unit;
 }
 
 Table dwell_table(const Programme& programme, const PlanResult& plan) {
@@ -82,7 +88,8 @@ Table dwell_table(const Programme& programme, const PlanResult& plan) {
                    {"Slowest decay", Column::Kind::number, "1/s"}};
   for (std::size_t k = 0; k < plan.model->modes(); ++k)
     if (!plan.resonance->mode_at_rest[k])
-      table.columns.push_back({fmt::format("Peak {}", plan.model->coordinates[k]), Column::Kind::number, ""});
+      table.columns.push_back(
+          {fmt::format("Peak {}", plan.model->coordinates[k]), Column::Kind::number, plan.coordinate_unit});
   for (const PlannedDwell& dwell : programme.dwells) {
     std::vector<std::string> row = {
         report::format_fixed(dwell.frequency_hz, 4), report::format_number(dwell.amplitude, 4),
@@ -147,12 +154,15 @@ report::Figure plan_figure(const PlanResult& plan) {
     if (!plan.resonance->mode_at_rest[k]) modes.push_back(k);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     report::Panel panel{
-        "", {fmt::format("Peak amplitude of {}", plan.model->coordinates[modes[m]]), "", false, {}}, {}};
+        "",
+        {fmt::format("Peak amplitude of {}", plan.model->coordinates[modes[m]]), plan.coordinate_unit, false, {}},
+        {}};
     std::map<double, Series> levels;
     for (const DwellCandidate& c : plan.candidates) {
       Series& line = levels[c.state.forcing];
       line.style = SeriesStyle::points;
       line.role = SeriesRole::reference;
+      line.group = 0;  // one marker, that of the legend, for all levels
       line.x.push_back(c.state.frequency * to_hz);
       line.y.push_back(2 * std::abs(c.state.amplitude[modes[m]]));
     }
@@ -199,6 +209,7 @@ std::string plan_json(const PlanRequest& request, const PlanResult& plan) {
                                   {"sd", finite_json(plan.plan.sd(w))},
                                   {"sd_in_use", plan.against ? finite_json(plan.against->sd(w)) : Json(nullptr)}});
   }
+  document["units"] = {{"amplitude", excitation_unit(plan)}, {"response", plan.coordinate_unit}};
   document["plan"] = programme_json(plan.plan, plan);
   document["in_use"] = plan.against ? programme_json(*plan.against, plan) : Json(nullptr);
   document["reaches_programme_in_use"] = plan.against ? Json(plan.meets_target) : Json(nullptr);
@@ -280,7 +291,7 @@ std::string plan_experiment(const PlanRequest& request, const PlanResult& plan) 
     text +=
         fmt::format("{} = {}\n", model.symbols[s].name, toml_float(plan.parameters(static_cast<Eigen::Index>(s))));
   SimulatedChannel base;
-  base.channel = {"base", ChannelRole::excitation, Quantity::acceleration, "m/s^2"};
+  base.channel = excitation_of(plan);
   base.noise_sd = request.excitation_noise;
   const bool known = plan.sensors && !plan.sensors->excitations.empty();
   text += "\n[excitation]\n" + channel_toml(known ? plan.sensors->excitations.front() : base);

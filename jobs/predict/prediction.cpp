@@ -61,9 +61,33 @@ void warn_of_other_jumps(Prediction& prediction) {
     }
 }
 
+bool differ_in_phase_alone(const ResponseSpecial& a, const ResponseSpecial& b, double largest) {
+  if (a.kind != b.kind || std::abs(a.at.parameter - b.at.parameter) > 1e-6 * std::abs(b.at.parameter)) return false;
+  for (std::size_t k = 0; k < a.at.modes.amplitude.size(); ++k) {
+    const double one = std::abs(a.at.modes.amplitude[k]), other = std::abs(b.at.modes.amplitude[k]);
+    if (std::abs(one - other) > 1e-4 * other + 1e-6 * largest) return false;
+  }
+  return true;
+}
+
+// A closed branch passes through solutions that differ in phase alone one behind the other: special points of all
+// of them are one.
+void say_special_points_once(ResponseDiagram& diagram) {
+  for (ResponseBranch& branch : diagram.branches) {
+    std::vector<ResponseSpecial> once;
+    for (ResponseSpecial& special : branch.special)
+      if (std::none_of(once.begin(), once.end(), [&](const ResponseSpecial& said) {
+            return differ_in_phase_alone(said, special, diagram.scale);
+          }))
+        once.push_back(std::move(special));
+    branch.special = std::move(once);
+  }
+}
+
 void add_diagram(const PredictionRequest& request, const ResponseField& field, const ResponseRequest& response,
                  RangeMarks& range, const SweepProgress& progress, Prediction& prediction) {
   prediction.diagram = response_diagram(field, response);
+  say_special_points_once(prediction.diagram);
   range.mark_diagram(response);
   if (prediction.diagram.status != DiagramStatus::complete)
     prediction.warnings.push_back("some responses may be missing: " + prediction.diagram.reason);

@@ -67,6 +67,8 @@ struct Prediction {
   std::shared_ptr<const CompiledModel> model;
   const CompiledCase* resonance = nullptr;
   std::vector<std::string> names;  ///< ResponseField::parameter_names
+  std::vector<std::string> units;  ///< of `parameters`; empty where nothing says them
+  std::string coordinate_unit;     ///< the same, of amplitudes
   Eigen::VectorXd parameters;
   std::optional<VariedParameter> vary, against;  ///< frequencies in rad/s
   double axis = 1, against_axis = 1;  ///< of a printed value to the parameter's: 2 pi where Hz is printed

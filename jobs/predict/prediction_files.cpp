@@ -57,6 +57,12 @@ Json curve_point_json(const Prediction& prediction, const ResponseCurvePoint& po
   return result;
 }
 
+// `old`: the word of version 0.1, kept for one version where it was another one.
+void put_kind(Json& entry, const std::string& key, std::string_view word, std::string_view old) {
+  entry[key] = word;
+  if (old != word) entry["old_" + key] = old;
+}
+
 Json diagram_json(const Prediction& prediction) {
   Json result = Json::array();
   for (const ResponseBranch& branch : prediction.diagram.branches) {
@@ -67,8 +73,9 @@ Json diagram_json(const Prediction& prediction) {
     entry["special_points"] = Json::array();
     for (const ResponseSpecial& special : branch.special) {
       Json at;
-      at["kind"] = special_name(special);
-      at["bifurcation"] = secular::name_of(special.kind);
+      put_kind(at, "kind", special.at.at_rest ? "threshold" : secular::name_of(special.kind),
+               special_name(special));
+      put_kind(at, "bifurcation", secular::name_of(special.kind), in_words(special.kind));
       at["polished"] = special.polished;
       if (special.frequency != 0) at["frequency"] = special.frequency;
       at.update(point_json(prediction, special.at));
@@ -161,8 +168,22 @@ std::string name_of(CurveKind kind) {
   return "";
 }
 
+std::string in_words(CurveKind kind) {
+  switch (kind) {
+    case CurveKind::saddle_node:
+      return "saddle-nodes";
+    case CurveKind::threshold:
+      return "threshold of the state of rest";
+    case CurveKind::hopf:
+      return "Hopf points";
+    case CurveKind::peak:
+      return "peaks of the response";
+  }
+  return "";
+}
+
 std::string special_name(const ResponseSpecial& special) {
-  return special.at.at_rest ? "threshold" : std::string(secular::name_of(special.kind));
+  return special.at.at_rest ? "threshold" : std::string(in_words(special.kind));
 }
 
 std::string prediction_json(const Prediction& prediction) {
@@ -176,6 +197,9 @@ std::string prediction_json(const Prediction& prediction) {
                         (prediction.against && prediction.against->name == name);
     if (!varied) result["parameters"][name] = prediction.parameters(static_cast<Eigen::Index>(p));
   }
+  for (std::size_t p = 0; p < prediction.names.size(); ++p)
+    if (!prediction.units[p].empty()) result["units"][prediction.names[p]] = prediction.units[p];
+  if (!prediction.coordinate_unit.empty()) result["coordinate_unit"] = prediction.coordinate_unit;
   for (const auto* varied : {&prediction.vary, &prediction.against})
     if (*varied)
       result["varied"].push_back({{"name", (*varied)->name}, {"from", (*varied)->from}, {"to", (*varied)->to}});
@@ -270,7 +294,8 @@ std::string prediction_csv(const Prediction& prediction) {
     for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
       const ResponseBranch& branch = prediction.diagram.branches[b];
       for (const ResponsePoint& at : branch.points) put(b, "point", at);
-      for (const ResponseSpecial& special : branch.special) put(b, special_name(special), special.at);
+      for (const ResponseSpecial& special : branch.special)
+        put(b, special.at.at_rest ? "threshold" : std::string(secular::name_of(special.kind)), special.at);
     }
   }
   return text;

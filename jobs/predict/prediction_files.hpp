@@ -17,8 +17,10 @@ std::string prediction_csv(const Prediction& prediction);
 /// "parameter_bound", ... of an end.
 std::string name_of(TraceStatus status);
 std::string name_of(CurveKind kind);
+/// "saddle-nodes", ...: what a curve of that kind consists of, for people.
+std::string in_words(CurveKind kind);
 
-/// What a special point is called: its kind, or "threshold" on the trivial solution.
+/// What a special point is called, for people: its kind, or "threshold" on the trivial solution.
 std::string special_name(const ResponseSpecial& special);
 
 }  // namespace secular

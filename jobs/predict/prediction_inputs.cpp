@@ -12,6 +12,7 @@
 
 #include "estimator/model/locked_excitations.hpp"
 #include "input/input_error.hpp"
+#include "jobs/predict/prediction_units.hpp"
 #include "jobs/shared/number_file.hpp"
 #include "jobs/shared/parameter_file.hpp"
 #include "numerics/hertz.hpp"
@@ -179,7 +180,9 @@ void notice_unit(const PredictionRequest& request, Prediction& prediction) {
       request.hz ? "leave out" : "forgotten"));
 }
 
-void read_parameters(const ModelSource& source, const PredictionRequest& request, Prediction& prediction) {
+// Returns what is given.
+GivenParameters read_parameters(const ModelSource& source, const PredictionRequest& request,
+                                Prediction& prediction) {
   const CompiledModel& model = *prediction.model;
   GivenParameters given = request.given ? *request.given : read_parameter_file(request.parameters);
   source.take_rest_position(given.values, request.parameters);
@@ -215,6 +218,7 @@ void read_parameters(const ModelSource& source, const PredictionRequest& request
     if (!(prediction.parameters(static_cast<Index>(k)) > 0))
       throw InputError(request.parameters, "key " + prediction.names[k], "is not positive",
                        "a natural frequency in rad/s was expected");
+  return given;
 }
 
 }  // namespace
@@ -231,7 +235,12 @@ void read_prediction_inputs(const ModelSource& source, const PredictionRequest& 
   prediction.names = ResponseField::parameter_names(*prediction.model);
   check_combination(request, prediction);
   take_vary(request, prediction);
-  read_parameters(source, request, prediction);
+  find_units(request, read_parameters(source, request, prediction), prediction);
+  const auto unit = [&](const VariedParameter& varied) {
+    return prediction.units[static_cast<std::size_t>(index_of(prediction, varied.name))];
+  };
+  if (prediction.vary && prediction.axis_unit.empty()) prediction.axis_unit = unit(*prediction.vary);
+  if (prediction.against && prediction.against_unit.empty()) prediction.against_unit = unit(*prediction.against);
   notice_unit(request, prediction);
 }
 

@@ -27,9 +27,14 @@ using report::Table;
 
 constexpr double to_degrees = 180 / std::numbers::pi;
 
-// A file of parameters does not say in which unit coordinates are.
-constexpr const char* unit_of_coordinates = "unit of coordinates";
-constexpr const char* unit_of_squares = "its square";
+// A plain file of numbers does not say in which unit coordinates are.
+std::string unit_of_coordinates(const Prediction& prediction) {
+  return prediction.coordinate_unit.empty() ? "unit of coordinates" : prediction.coordinate_unit;
+}
+
+std::string unit_of_squares(const Prediction& prediction) {
+  return prediction.coordinate_unit.empty() ? "its square" : "(" + prediction.coordinate_unit + ")^2";
+}
 
 constexpr const char* outside_name = "outside of the expansion's range";
 
@@ -174,8 +179,9 @@ Figure response_figure(const Prediction& prediction) {
   figure.x = {axis_label(*prediction.vary, prediction.axis_unit), prediction.axis_unit, false, {}};
   for (const std::size_t mode : moving_modes(prediction)) {
     const std::string name(prediction.model->coordinates[mode]);
-    Panel panel = response_panel(prediction, mode, {"Peak amplitude of " + name, unit_of_coordinates, false, {}},
-                                 peak_amplitude, true);
+    Panel panel =
+        response_panel(prediction, mode, {"Peak amplitude of " + name, unit_of_coordinates(prediction), false, {}},
+                       peak_amplitude, true);
     int group = 0;
     for (const PredictedSweep& sweep : prediction.sweeps) {
       Series points;
@@ -222,20 +228,6 @@ Figure phase_figure(const Prediction& prediction) {
   return figure;
 }
 
-std::string curve_name(const ResponseCurve& curve) {
-  switch (curve.kind) {
-    case CurveKind::saddle_node:
-      return "saddle-nodes";
-    case CurveKind::threshold:
-      return "threshold of the state of rest";
-    case CurveKind::hopf:
-      return "Hopf points";
-    case CurveKind::peak:
-      return "peaks of the response";
-  }
-  return "";
-}
-
 template <class X, class Y>
 Panel curve_panel(const Prediction& prediction, const report::Axis& axis, const X& x, const Y& y) {
   Panel panel;
@@ -243,7 +235,7 @@ Panel curve_panel(const Prediction& prediction, const report::Axis& axis, const 
   Series line, outside;
   line.role = SeriesRole::model;
   for (const ResponseCurve& curve : prediction.curves) {
-    line.name = curve_name(curve);
+    line.name = in_words(curve.kind);
     if (!line.x.empty()) {
       line.x.push_back(std::numeric_limits<double>::quiet_NaN());
       line.y.push_back(std::numeric_limits<double>::quiet_NaN());
@@ -285,8 +277,8 @@ Figure amplitude_diagram(const Prediction& prediction) {
     const auto x = [&](const ResponseCurvePoint& at) { return at.second / prediction.against_axis; };
     const auto y = [&](const ResponseCurvePoint& at) { return peak_amplitude(at.modes, mode); };
     figure.panels.push_back(
-        curve_panel(prediction, {"Peak amplitude of " + name, unit_of_coordinates, false, {}}, x, y));
-    figure.panels.push_back(curve_panel(prediction, {"Its square", unit_of_squares, false, {}}, x,
+        curve_panel(prediction, {"Peak amplitude of " + name, unit_of_coordinates(prediction), false, {}}, x, y));
+    figure.panels.push_back(curve_panel(prediction, {"Its square", unit_of_squares(prediction), false, {}}, x,
                                         [&](const ResponseCurvePoint& at) { return y(at) * y(at); }));
   }
   return figure;
@@ -296,7 +288,7 @@ Figure backbone_figure(const Prediction& prediction, std::size_t b) {
   const auto& [name, points] = prediction.backbones[b];
   Figure figure;
   figure.title = "Backbone of " + name;
-  figure.x = {"Peak amplitude of " + name, unit_of_coordinates, false, {}};
+  figure.x = {"Peak amplitude of " + name, unit_of_coordinates(prediction), false, {}};
   Series frequency, decay;
   for (const BackbonePoint& at : points) {
     frequency.x.push_back(2 * at.amplitude);
@@ -325,23 +317,20 @@ void add_special_points(report::HtmlReport& page, const Prediction& prediction) 
   table.columns = {{"Point", Column::Kind::text, ""},
                    {prediction.vary->name, Column::Kind::number, prediction.axis_unit}};
   for (const std::size_t mode : moving_modes(prediction))
-    table.columns.push_back(
-        {"Amplitude of " + std::string(prediction.model->coordinates[mode]), Column::Kind::number, ""});
+    table.columns.push_back({"Amplitude of " + std::string(prediction.model->coordinates[mode]),
+                             Column::Kind::number, prediction.coordinate_unit});
   table.columns.push_back({"Branch", Column::Kind::number, ""});
   for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b)
     for (const ResponseSpecial& special : prediction.diagram.branches[b].special) {
-      std::string name = special_name(special);
-      if (name == "saddle_node") name = "saddle-node";
-      std::vector<std::string> row{name, report::format_number(special.at.parameter / prediction.axis, 7)};
+      std::vector<std::string> row{special_name(special),
+                                   report::format_number(special.at.parameter / prediction.axis, 7)};
       for (const std::size_t mode : moving_modes(prediction)) {
         // Below this the branch meets the state of rest: the rest is rounding.
         const double amplitude = peak_amplitude(special.at.modes, mode);
         row.push_back(report::format_number(amplitude > 1e-6 * prediction.diagram.scale ? amplitude : 0, 4));
       }
       row.push_back(std::to_string(b + 1));
-      // Solutions that differ in phase alone are said once.
-      if (std::find(table.rows.begin(), table.rows.end(), row) == table.rows.end())
-        table.rows.push_back(std::move(row));
+      table.rows.push_back(std::move(row));
     }
   if (!table.rows.empty()) page.table(table);
   Table ends;
@@ -363,8 +352,8 @@ void add_jumps(report::HtmlReport& page, const Prediction& prediction) {
                    {"Mode", Column::Kind::text, ""},
                    {"Between", Column::Kind::number, prediction.axis_unit},
                    {"and", Column::Kind::number, prediction.axis_unit},
-                   {"Amplitude before", Column::Kind::number, ""},
-                   {"after", Column::Kind::number, ""}};
+                   {"Amplitude before", Column::Kind::number, prediction.coordinate_unit},
+                   {"after", Column::Kind::number, prediction.coordinate_unit}};
   for (const PredictedSweep& sweep : prediction.sweeps)
     for (const PredictedSweep::Jump& jump : sweep.jumps)
       table.rows.push_back({sweep.direction, std::string(prediction.model->coordinates[jump.mode]),
@@ -520,13 +509,15 @@ std::string prediction_report(const Prediction& prediction, const std::vector<re
   page.bullets(prediction.diagram.notes);
   page.details("Parameters", [&] {
     Table table;
-    table.columns = {{"Symbol", Column::Kind::text, ""}, {"Value", Column::Kind::number, ""}};
+    table.columns = {
+        {"Symbol", Column::Kind::text, ""}, {"Value", Column::Kind::number, ""}, {"Unit", Column::Kind::text, ""}};
     for (std::size_t p = 0; p < prediction.names.size(); ++p) {
       const std::string& name = prediction.names[p];
       if ((prediction.vary && prediction.vary->name == name) ||
           (prediction.against && prediction.against->name == name))
         continue;
-      table.rows.push_back({name, report::format_number(prediction.parameters(static_cast<Eigen::Index>(p)), 6)});
+      table.rows.push_back({name, report::format_number(prediction.parameters(static_cast<Eigen::Index>(p)), 6),
+                            report::pretty_unit(prediction.units[p])});
     }
     page.table(table);
   });

@@ -87,7 +87,10 @@ GivenParameters parameters_of(const std::string& text, const std::string& path) 
     given.values[symbol] = entry["value"].get<double>();
     if (entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0)
       given.sd[symbol] = entry["sd"].get<double>();
+    if (entry.contains("unit") && entry["unit"].is_string()) given.units[symbol] = entry["unit"];
   }
+  if (document.contains("coordinate_unit") && document["coordinate_unit"].is_string())
+    given.coordinate_unit = document["coordinate_unit"];
   if (document.contains("lumps")) read_lump_units(document["lumps"], given);
   if (document.contains("representative")) read_representative(document["representative"], path, given);
   return given;

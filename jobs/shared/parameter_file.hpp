@@ -14,6 +14,8 @@ struct GivenParameters {
   std::map<std::string, double> representative;
   /// Cases whose steady motions do not depend on which values those are.
   std::set<std::string> identified_cases;
+  std::map<std::string, std::string> units;  ///< of an estimate
+  std::string coordinate_unit;               ///< the same, of the modes' displacements; empty: not said
   /// Of an estimate: by case and lump.
   std::map<std::string, std::map<std::string, std::string>> lump_units;
 };

@@ -42,8 +42,10 @@ void doubt_by_rival(const UnknownPhases& unknown, UnknownPhases::Rival& rival, c
   sets[rival.place] = std::move(rival.set);
   Estimate other;
   const std::string failure = failure_of([&] { other = estimate_corrected(std::move(sets), task).estimate; });
-  if (failure.empty()) return doubt_what_differs(estimate, other);
-  doubt_all(estimate);
+  if (failure.empty())
+    return doubt_what_differs(estimate, other,
+                              "the sign of the excitation's effect is not determined, and turns it");
+  doubt_all(estimate, "what the other sign of the excitation would make of it cannot be said");
   estimate.warnings.push_back(
       fmt::format("what the other sign of the excitation would make of the numbers cannot be said ({}): all are "
                   "doubtful",
@@ -80,7 +82,8 @@ void free_phases(const std::vector<ObservationSet>& observed, const EstimateTask
       for (UnknownPhases::Rival& rival : unknown.rivals) doubt_by_rival(unknown, rival, task, freed.estimate);
       result.of = std::move(freed);
     } else {
-      doubt_what_differs(result.of.estimate, freed.estimate);
+      doubt_what_differs(result.of.estimate, freed.estimate,
+                         "it moves where the phase between excitation and responses is free in each record");
       std::erase_if(unknown.cases, [](const CaseLateness& l) { return l.finding == PhaseFinding::late; });
     }
   }

@@ -37,7 +37,7 @@ BifurcationKind kind_of(SpecialKind kind) {
     case SpecialKind::double_zero:
       break;
   }
-  throw std::invalid_argument("no curve in two parameters starts at a " + std::string(name_of(kind)));
+  throw std::invalid_argument("no curve in two parameters starts at a " + std::string(in_words(kind)));
 }
 
 class CurveOfBifurcations {

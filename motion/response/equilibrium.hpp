@@ -15,8 +15,10 @@ enum class SpecialKind {
   double_zero,    ///< two eigenvalues pass zero together
 };
 
-/// "saddle-node", "branch point", "Hopf", ...
+/// "saddle_node", "branch_point", "hopf", ..., for programs.
 std::string_view name_of(SpecialKind kind);
+/// "saddle-node", "branch point", "Hopf", ..., for people.
+std::string_view in_words(SpecialKind kind);
 
 /// Whether branches cross there.
 bool is_crossing(SpecialKind kind);

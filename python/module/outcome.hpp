@@ -17,6 +17,8 @@ struct JobOutcome {
   std::string json;
   std::function<std::string(const std::string& command)> report = {};  ///< none: the command has no report
   std::vector<report::NamedFigure> figures = {};
+  std::function<std::vector<report::NamedFigure>()> draw =
+      {};                                         ///< of figures that are made when they are asked for
   std::map<std::string, std::string> texts = {};  ///< of other files, by name
   std::vector<std::string> notices = {};
 };

@@ -13,9 +13,17 @@ using namespace py::literals;
 namespace secular::python {
 namespace {
 
-const report::NamedFigure& figure_named(const JobOutcome& outcome, const std::string& name) {
+const std::vector<report::NamedFigure>& figures_of(JobOutcome& outcome) {
+  if (outcome.draw) {
+    outcome.figures = computed([&] { return outcome.draw(); });
+    outcome.draw = {};
+  }
+  return outcome.figures;
+}
+
+const report::NamedFigure& figure_named(JobOutcome& outcome, const std::string& name) {
   std::string all;
-  for (const report::NamedFigure& figure : outcome.figures) {
+  for (const report::NamedFigure& figure : figures_of(outcome)) {
     if (figure.name == name) return figure;
     all += (all.empty() ? "" : ", ") + figure.name;
   }
@@ -40,15 +48,15 @@ void add_outcome(py::module_& module) {
           },
           "command"_a)
       .def_property_readonly("figures",
-                             [](const JobOutcome& outcome) {
+                             [](JobOutcome& outcome) {
                                std::vector<std::string> names;
-                               for (const report::NamedFigure& figure : outcome.figures)
+                               for (const report::NamedFigure& figure : figures_of(outcome))
                                  names.push_back(figure.name);
                                return names;
                              })
       .def(
           "figure",
-          [](const JobOutcome& outcome, const std::string& name) {
+          [](JobOutcome& outcome, const std::string& name) {
             return figure_dict(figure_named(outcome, name).figure);
           },
           "name"_a)

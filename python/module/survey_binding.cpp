@@ -87,11 +87,10 @@ std::shared_ptr<JobOutcome> inspected(const std::string& path, const Campaign* c
   request.window = window_of(options);
   request.whole = options["whole"].cast<bool>();
   run_without_lock([&] { outcome->json = inspection_json(inspect(request)); });
-  // Pictures of every record are large: they are made for who wants the report.
-  outcome->report = [request](const std::string& command) mutable {
-    request.pictures = true;
-    return inspection_report(inspect(request), command);
-  };
+  // Pictures of every record are large: they are made for who wants them.
+  request.pictures = true;
+  outcome->report = [request](const std::string& command) { return inspection_report(inspect(request), command); };
+  outcome->draw = [request] { return inspection_figures(inspect(request)); };
   return outcome;
 }
 

@@ -10,7 +10,7 @@ from typing import Mapping, Optional, Sequence, Tuple, Union
 
 from . import _checks, _core
 from ._campaign import Campaign, Channel
-from ._result import Result, html_table, shown
+from ._result import Report, Result, html_table, shown
 
 
 @dataclass(frozen=True)
@@ -68,12 +68,13 @@ class Variable:
     fault: str
 
 
-class Inspection(Result):
+class Inspection(Report):
     """What a campaign or a file holds.
 
     name: of the campaign or file. channels: list of Channel, records: list of InspectedRecord, tables: of lines, as the
     program tells them (of a campaign); format, variables: list of Variable, time: the variable that holds it or None
     (of a file). levels: list of Levels; faults: list of Fault; disturbances: what there is beside the motion.
+    Figures: "history_N" and "spectrum_N" of record N, from 1; what was inspected is read again for them and the report.
     """
 
     def __init__(self, core):
@@ -95,10 +96,6 @@ class Inspection(Result):
         self.levels += [_levels(None, entry) for entry in data.get("variables", []) if "rms" in entry]
         self.faults = list(_faults(data))
         self.disturbances: list[dict] = data.get("disturbances", [])
-
-    def to_html(self) -> str:
-        """The report that the program writes, one self-contained page. What was inspected is read again for it."""
-        return self._found().report("Python")
 
     def to_pandas(self):
         """A data frame with one row for each of `levels`."""

@@ -20,8 +20,8 @@ from ._result import Result, html_table
 class Value:
     """A number with its error bar, or the reason why there is none.
 
-    value, sd, ci95: in `unit`; None where the data do not identify it. doubtful: may be off by more than its error bar;
-    the result's notices say why. why: in words, what there is to say against it; empty: nothing. definition, case: of a
+    value, sd, ci95: in `unit`; None where the data do not identify it. doubtful: may be off by more than its error bar.
+    why: in words, what there is to say against it; empty: nothing. definition, case: of a
     lump. fields: all that estimate.json says.
     """
 
@@ -47,7 +47,7 @@ def _why(entry: dict) -> str:
         others = entry.get("entangled_with", [])
         return "not identifiable" + (", entangled with " + ", ".join(others) if others else "")
     if entry.get("doubtful"):
-        return "doubtful, see notices"
+        return "doubtful: " + "; ".join(entry["doubtful_because"])
     return "" if entry["significant"] else "does not differ from zero at 95 %"
 
 

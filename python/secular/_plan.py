@@ -63,7 +63,7 @@ class Plan(Report):
     """A test (docs/planning_a_test.md).
 
     status: "failed" where the search took longer than limit_s. model, case; wanted: list of WantedParameter; dwells:
-    list of PlannedDwell; time_s; programme, in_use: Programme (in_use: of `against`, or None). candidates: how many
+    list of PlannedDwell; units: of their "amplitude" and "response"; time_s; programme, in_use: Programme (in_use: of `against`, or None). candidates: how many
     dwells it was chosen from. Figure: "dwells".
     """
 
@@ -77,6 +77,7 @@ class Plan(Report):
         self.wanted = [WantedParameter(**entry) for entry in data.get("wanted", [])]
         self.programme: Optional[Programme] = _programme(data.get("plan"))
         self.in_use: Optional[Programme] = _programme(data.get("in_use"))
+        self.units: dict[str, str] = data.get("units", {})
         self.dwells: Sequence[PlannedDwell] = self.programme.dwells if self.programme else []
         self.time_s: Optional[float] = self.programme.time_s if self.programme else None
 

@@ -17,8 +17,8 @@ from ._result import Report, html_table, shown
 
 @dataclass(frozen=True)
 class SpecialPoint:
-    """Where stability changes or branches meet: kind "saddle-node", "threshold", "Hopf", "pitchfork",
-    "transcritical", "branch point" or "double zero".
+    """Where stability changes or branches meet: kind "saddle_node", "threshold", "hopf", "pitchfork",
+    "transcritical", "branch_point" or "double_zero".
 
     parameter: of what is varied (rad/s where it is a frequency). amplitude: by mode, peak, in the coordinate's unit.
     outside_expansion: the expansion's range ends before it. fields: all that prediction.json says.
@@ -116,22 +116,10 @@ def _array(points: Sequence[dict], key: str, kind: type = float) -> np.ndarray:
     return np.array([point[key] for point in points], dtype=kind)
 
 
-def _special_points(entry: dict, name: str) -> list[SpecialPoint]:
-    """Solutions that differ in phase alone once."""
-    largest = _amplitudes(entry["points"]).max(initial=0)
-    special: list[SpecialPoint] = []
-    for at in entry["special_points"]:
-        point = SpecialPoint(at["kind"], at[name], _amplitudes([at])[0], at["outside_expansion"], at)
-        if not any(other.kind == point.kind and np.isclose(other.parameter, point.parameter, rtol=1e-6, atol=0)
-                   and np.allclose(other.amplitude, point.amplitude, rtol=1e-4, atol=1e-6 * largest)
-                   for other in special):
-            special.append(point)
-    return special
-
-
 def _branch(entry: dict, name: str) -> Branch:
     points = entry["points"]
-    special = _special_points(entry, name)
+    special = [SpecialPoint(at["kind"], at[name], _amplitudes([at])[0], at["outside_expansion"], at)
+               for at in entry["special_points"]]
     eigenvalues = [np.array([complex(*value) for value in point["eigenvalues"]]) for point in points]
     return Branch(entry["at_rest"], entry["closed"], _array(points, name), _amplitudes(points),
                   _amplitudes(points, "phase"), _array(points, "stable", bool),
@@ -142,7 +130,8 @@ def _branch(entry: dict, name: str) -> Branch:
 class Prediction(Report):
     """Steady responses, their stability and bifurcations (docs/predicting.md).
 
-    model, case; parameters: symbol to number; varied, against: names of what is varied ("" for none); modes: names of
+    model, case; parameters: symbol to number; units: symbol to unit, of an estimate or a measured campaign;
+    coordinate_unit: the same, of amplitudes ("" where nothing says it); varied, against: names of what is varied ("" for none); modes: names of
     the coordinates, by column of the amplitudes. branches: list of Branch; curves: list of Curve (`curve` was asked
     for); backbones: list of Backbone (a case without excitation); sweeps: list of Sweep; measured: list of
     MeasuredDwell. complete: every branch that was begun was followed to its end. Figures: "response" and "phases", or
@@ -156,6 +145,8 @@ class Prediction(Report):
         self.model: str = data["model"]
         self.case: str = data["case"]
         self.parameters: dict[str, float] = data["parameters"]
+        self.units: dict[str, str] = data.get("units", {})
+        self.coordinate_unit: str = data.get("coordinate_unit", "")
         self.varied: str = varied[0]
         self.against: str = varied[1]
         self.complete: bool = data.get("complete", True)

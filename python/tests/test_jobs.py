@@ -203,7 +203,8 @@ def test_what_is_doubtful_is_so_for_a_reason_among_the_notices(campaign):
     doubtful = [value for value in found.values if value.doubtful]
     reason, = [notice for notice in found.notices if notice.startswith("doubtful because the model does not fit: ")]
     assert doubtful and doubtful[0].name in reason
-    assert all(value.why == "doubtful, see notices" for value in doubtful) and "doubtful, see notices" in repr(found)
+    assert all(value.why.startswith("doubtful: the model does not fit") for value in doubtful)
+    assert doubtful[0].why in repr(found) and doubtful[0].fields["doubtful_because"][0] in doubtful[0].why
 
 
 def test_errors_of_identify_name_arguments(campaign):

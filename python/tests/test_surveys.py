@@ -114,6 +114,7 @@ def test_inspect_is_the_program_s_in_memory_and_of_a_folder(program, decay, deca
     assert file.format == "CSV" and file.time == "t" and [v.name for v in file.variables] == ["t", "a", "b"]
     with pytest.raises(secular.InputError, match="single record"):
         secular.inspect(decay_folder / "records/0001.csv", records="0001*")
+    assert file.figures == ["history_1", "spectrum_1"] and len(held.plot("spectrum_1").axes) == len(held.channels)
     for inspection in (read, held):
         assert "Usable for identify: 1 of 1 record." in inspection.to_html()
     assert "secular import" in file.to_html()

@@ -245,13 +245,16 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   const Outcome good = run(shipped + "--at F=22.55 --vary Omega 24.3 25.1 --hz --force");
   EXPECT_EQ(good.status, 0) << good.errors;
   const auto json = nlohmann::json::parse(text_of(fs::path(out) / "prediction.json"));
-  std::size_t thresholds = 0;
+  std::size_t thresholds = 0, folds = 0;  // of a closed branch with two solutions that differ in phase alone
   for (const auto& branch : json["branches"])
-    for (const auto& special : branch["special_points"])
+    for (const auto& special : branch["special_points"]) {
+      folds += special["kind"] == "saddle_node";
       if (special["kind"] == "threshold") {
         ++thresholds;
         EXPECT_NEAR(std::abs(special["Omega_hz"].get<double>() - 24.78), 0.16252, 1e-5);  // Eq. (5.27)
       }
+    }
+  EXPECT_EQ(folds, 1u);
   EXPECT_GE(thresholds, 2u);
   const std::string html = text_of(fs::path(out) / "report.html");
   EXPECT_NE(html.find("<svg"), std::string::npos);

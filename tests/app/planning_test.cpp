@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -44,6 +45,29 @@ PlanRequest chapter_5() {
 const PlanResult& plan_of_chapter_5() {
   static const PlanResult plan = plan_test(chapter_5());
   return plan;
+}
+
+// Coordinates are the displacements of the channels, the excitation is a force.
+TEST(PlanUnits, AreThoseOfTheCampaignInUse) {
+  PlanRequest request = chapter_5();
+  request.against.clear();
+  const PlanResult modal = plan_inputs(request);
+  request.against = "laboratory";
+  request.campaign.emplace();
+  request.campaign->channels = {{"force", ChannelRole::excitation, Quantity::force, "N"},
+                                {"tip", ChannelRole::response, Quantity::acceleration, "m/s^2"}};
+  const PlanResult plan = plan_inputs(request);
+  const auto unit_of = [](const PlanResult& of, const std::string& name) {
+    const auto at = std::find(of.unknowns.names.begin(), of.unknowns.names.end(), name);
+    return of.units.at(static_cast<std::size_t>(at - of.unknowns.names.begin()));
+  };
+  EXPECT_EQ(modal.coordinate_unit, "kg^(1/2) m");
+  EXPECT_EQ(unit_of(modal, "alpha_e"), "1/(kg m^2 s^2)");
+  EXPECT_EQ(unit_of(modal, "eta_e"), "1/m");
+  EXPECT_EQ(plan.coordinate_unit, "m");
+  EXPECT_EQ(unit_of(plan, "mu1"), "1/s");
+  EXPECT_EQ(unit_of(plan, "alpha_e"), "1/(m^2 s^2)");
+  EXPECT_EQ(unit_of(plan, "eta_e"), "1/(N s^2)");
 }
 
 TEST(SlowPlan, ReachesTheChapter5ProgrammeInHalfItsTime) {

@@ -138,7 +138,11 @@ TEST_F(SlowMeasuredDwells, AtRestLieOnTheAxis) {
       << errors();
   EXPECT_EQ(errors().find("left out"), std::string::npos) << errors();
   std::ifstream stream(folder_ / "over" / "prediction.json");
-  const auto measured = nlohmann::json::parse(stream).at("measured");
+  const auto json = nlohmann::json::parse(stream);
+  EXPECT_EQ(json.at("coordinate_unit"), "m");
+  EXPECT_EQ(json.at("units").at("k3"), "1/(m^2 s^2)");
+  EXPECT_EQ(json.at("units").at("w"), "rad/s");
+  const auto measured = json.at("measured");
   ASSERT_EQ(measured.size(), 2u);
   EXPECT_LT(measured[0].at("amplitude")[0].get<double>(), 1e-5);
   EXPECT_GT(measured[1].at("amplitude")[0].get<double>(), 0.1);
@@ -174,7 +178,8 @@ TEST_F(SlowMeasuredDwells, OfSteppedSweepsJumpWithinAStepOfTheSaddleNodes) {
   std::vector<double> folds;
   for (const auto& branch : json.at("branches"))
     for (const auto& special : branch.at("special_points"))
-      if (special.at("kind") == "saddle-node") folds.push_back(special.at("Omega_hz").get<double>());
+      if (special.at("kind") == "saddle_node" && special.at("old_kind") == "saddle-node")
+        folds.push_back(special.at("Omega_hz").get<double>());
   ASSERT_EQ(folds.size(), 2u);
   std::sort(folds.begin(), folds.end());
   ASSERT_GT(folds[1] - folds[0], 2 * step_hz);

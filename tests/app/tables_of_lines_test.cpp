@@ -182,6 +182,31 @@ TEST_F(SlowTablesOfLines, SayWhereTheirNoiseComesFrom) {
   EXPECT_EQ(run("inspect table").status, 0);
 }
 
+// A CSV of a controller, with remarks, decimal commas and units in the names: the command that `inspect` prints is
+// typed as it stands, but for the campaign's name.
+TEST(TablesOfLines, AreImportedByTheCommandThatInspectPrints) {
+  const fs::path folder = testing_support::process_folder() / "table_as_proposed";
+  fs::create_directories(folder);
+  std::ofstream(folder / "stepped.csv") << "Stepped sine, 14.3.2024\n"
+                                           "Frequency [Hz];Base acc [g];Tip disp [mm];Phase [deg]\n"
+                                           "17,5;0,02;0,31;-12,5\n18;0,02;0,9;-40\n18,5;0,02;0,42;-150\n";
+  const testing_support::Outcome seen = testing_support::run_program(folder, "inspect stepped.csv");
+  const std::size_t begin = seen.output.find("secular import "), end = seen.output.find('\n', begin);
+  ASSERT_NE(begin, std::string::npos) << seen.output;
+  std::string command = seen.output.substr(begin + 8, end - begin - 8);
+  command.replace(command.find("CAMPAIGN"), 8, "typed");
+  const testing_support::Outcome made = testing_support::run_program(folder, command);
+  ASSERT_EQ(made.status, 0) << command << '\n' << made.errors;
+  const Campaign campaign = read_campaign(folder / "typed");
+  ASSERT_EQ(campaign.records.size(), 3u);
+  EXPECT_EQ(campaign.channels[0].role, ChannelRole::excitation);
+  ASSERT_TRUE(campaign.records[1].row);
+  const TableLine& tip = campaign.records[1].row->lines.back();
+  EXPECT_NEAR(std::abs(tip.amplitude), 0.9e-3, 1e-12);
+  EXPECT_NEAR(std::arg(tip.amplitude), -40 * std::numbers::pi / 180, 1e-9);
+  fs::remove_all(folder);
+}
+
 TEST_F(SlowTablesOfLines, AreDiagnosed) {
   import_table("right", table_of(simulated(), true));
   ASSERT_EQ(run("diagnose right --model duffing -o d").status, 0);

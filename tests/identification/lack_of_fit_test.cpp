@@ -72,9 +72,12 @@ TEST(LackOfFit, ADampingLawThatIsMissingIsToldAndCounts) {
   const double own_sd = std::sqrt(mu3.sd * mu3.sd - 0.25 * mu3.misfit * mu3.misfit);
   EXPECT_GT(std::abs(*mu3.value - 36.87), 5 * own_sd);
   EXPECT_TRUE(mu3.doubtful);
+  ASSERT_EQ(mu3.doubtful_because.size(), 1U);
+  EXPECT_NE(mu3.doubtful_because.front().find("the model does not fit"), std::string::npos);
   EXPECT_GT(mu3.sd, 2 * own_sd);
   for (const LackOfFit& test : tests_of(whole)) EXPECT_FALSE(test.significant) << test.name;
   EXPECT_FALSE(right.doubtful);
+  EXPECT_TRUE(right.doubtful_because.empty());
   EXPECT_NEAR(*right.value, 36.87, 5 * right.sd);
 }
 
@@ -176,6 +179,7 @@ TEST(FailedCorrection, LeavesNoValueWithoutDoubt) {
   std::size_t doubtful = 0;
   for (const EstimatedValue& v : failed.parameters) {
     EXPECT_EQ(v.doubtful, v.value.has_value() && !v.fixed) << v.name;
+    EXPECT_EQ(v.doubtful, !v.doubtful_because.empty()) << v.name;
     doubtful += v.doubtful;
   }
   EXPECT_GT(doubtful, 0U);
