@@ -114,7 +114,7 @@ void print_summary(const Identification& id, const std::string& folder) {
   for (const ObservationSet& set : id.measured)
     fmt::print("model {}, case {}: {} observations\n", id.model->name, set.resonance->name,
                set.observations.size());
-  fmt::print("parameters\n");
+  fmt::print("parameters{}\n", id.refinement ? ", " + text_of(*id.refinement) : "");
   for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
   for (const std::string& line : scatter_lines(id.estimate)) fmt::print("  {}\n", line);
   print_following(id);
@@ -128,9 +128,9 @@ void print_summary(const Identification& id, const std::string& folder) {
     const auto worst =
         std::max_element(tests.equations.begin(), tests.equations.end(),
                          [](const LackOfFit& a, const LackOfFit& b) { return a.p_value > b.p_value; });
-    fmt::print("fit of case {}: worst equation {} off by {:.2f} times what repeats explain (p = {:.2g}{})\n",
-               tests.resonance, worst->name, worst->misfit_ratio, worst->p_value,
-               worst->significant ? "" : ", nothing wrong");
+    fmt::print("fit of {}: worst equation {} off by {:.2f} times what repeats explain (p = {:.2g}{})\n",
+               tests.resonance.empty() ? "the decays in one piece" : "case " + tests.resonance, worst->name,
+               worst->misfit_ratio, worst->p_value, worst->significant ? "" : ", nothing wrong");
   }
   for (const DampingComparison& damping : id.estimate.damping) {
     std::string terms;

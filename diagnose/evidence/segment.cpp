@@ -110,9 +110,7 @@ class Cutter {
       wanted = std::clamp<Index>(longest_of_several(records), wanted, of_turns(driven_turns));
     const auto length = std::min<Index>(m.available(), std::max(fewest_segment_samples, wanted));
     if (length >= fewest_segment_samples)
-      return cut_.whole_decays && !m.driven
-                 ? length * std::max<Index>(1, pieces_that_stand_out(m, length, noise(m)))
-                 : length;
+      return cut_.whole_decays && !m.driven ? length_to_rest(m, length, noise(m)) : length;
     left_out(entry, "shorter than a few turns of the lowest mode");
     return 0;
   }
@@ -219,6 +217,20 @@ class Cutter {
     Index loud = 0;
     while (loud < pieces && piece_of(m, length, loud, 0).cwiseAbs().maxCoeff() >= end_at_noise * noise(0)) ++loud;
     return loud;
+  }
+
+  // Samples of a decay in one piece, of which `length` are a few turns: to the end of the last few that hold more
+  // than noise (chi-squared at three standard deviations), and a few turns more, which tell where it came to rest. A
+  // model that holds tells the motion far below the noise of one sample.
+  Index length_to_rest(const Movement& m, Index length, const Eigen::VectorXd& noise) const {
+    const double most = 1 + 3 * std::sqrt(2 / static_cast<double>(length));
+    const Index pieces = m.available() / length;
+    Index held = 0;
+    for (; held < pieces; ++held) {
+      const Eigen::VectorXd piece = piece_of(m, length, held, 0);
+      if (!((piece.array() - piece.mean()).square().mean() > most * noise(0) * noise(0))) break;
+    }
+    return held + 1 < pieces ? (held + 1) * length : m.available();
   }
 
   // By piece, the square of the motion over that of what it is known to (docs/inference.md (40)): of its own noise

@@ -49,6 +49,8 @@ class SegmentEvidence : public Evidence {
   std::vector<Segment> predicted(std::size_t record, const Eigen::VectorXd& unknowns, double level) const;
   /// Evidence of other segments by the same model and sensors, whose noise is what they say.
   SegmentEvidence of_known_noise(std::vector<Segment> segments) const;
+  /// Of size() rows, as SegmentRows::put_in_time(). After freeze().
+  void put_in_time(Eigen::Ref<Eigen::MatrixXd> columns) const { rows().put_in_time(columns); }
   Eigen::VectorXd mean_square_error(const Eigen::VectorXd& unknowns) const {
     return secular::mean_square_error(model_, segments_, unknowns);
   }

@@ -63,6 +63,16 @@ void SegmentRows::fill(std::size_t segment, VectorXd error, Eigen::Ref<VectorXd>
   rest /= std::max(1.0, own.disturbance);
 }
 
+void SegmentRows::put_in_time(Eigen::Ref<Eigen::MatrixXd> columns) const {
+  const std::vector<Index> first = begins();
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Eigen::MatrixXd& of_change = segments[i].directions.of_change;
+    auto changes = columns.middleRows(first[i], of_change.cols());
+    columns.middleRows(first[i] + of_change.cols(), of_change.rows()) += of_change * changes;
+    changes.setZero();
+  }
+}
+
 Index freedom_of(const SegmentRows& rows) {
   const auto of_state = static_cast<Index>(2 * rows.model.modes());
   Index count = 0;

@@ -29,6 +29,9 @@ struct SegmentRows {
   std::vector<Eigen::Index> begins() const;
   /// From errors of a segment's samples, as its rows see them.
   void fill(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
+  /// Rows, or their slopes, sample by sample: the first ones of each segment go back along what they are the errors
+  /// of, and are zero. Where errors are white, sums of squares and products stay.
+  void put_in_time(Eigen::Ref<Eigen::MatrixXd> columns) const;
 };
 
 /// How many of the rows are independent of each other.

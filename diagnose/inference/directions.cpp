@@ -23,6 +23,11 @@ Directions::Directions(const MatrixXd& jacobian)
   while (rank_ < size && value(rank_) > rank_tolerance * value(0)) ++rank_;
 }
 
+MatrixXd Directions::to_orthonormal() const {
+  return per_length_.asDiagonal() * svd_.matrixV().leftCols(rank_) *
+         svd_.singularValues().head(rank_).cwiseInverse().asDiagonal();
+}
+
 VectorXd Directions::along(const VectorXd& rows) const {
   const VectorXd turned = turned_.householderQ().adjoint() * rows;
   return svd_.matrixU().transpose() * turned.head(svd_.matrixU().rows());

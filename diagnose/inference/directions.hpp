@@ -17,6 +17,8 @@ class Directions {
   /// One over the columns' lengths.
   const Eigen::VectorXd& per_length() const { return per_length_; }
 
+  /// The Jacobian times this has orthonormal columns, one for each direction that is seen.
+  Eigen::MatrixXd to_orthonormal() const;
   /// Rows along every direction.
   Eigen::VectorXd along(const Eigen::VectorXd& rows) const;
   /// The step that takes rows away: of minimum norm in columns of unit length.

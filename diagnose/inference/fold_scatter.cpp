@@ -29,14 +29,13 @@ std::vector<ClusterOfRows> folds_of(const MatrixXd& columns, const VectorXd& row
 
 }  // namespace
 
-MatrixXd covariance_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom) {
-  const MatrixXd plain = dispersion_of(fit.chi_squared, freedom - static_cast<double>(fit.rank)) * fit.covariance;
+MatrixXd covariance_of(const Refit& fit, const std::vector<RowLabel>& labels, double freedom,
+                       double least_dispersion) {
+  const MatrixXd plain =
+      std::max(least_dispersion, dispersion_of(fit.chi_squared, freedom - static_cast<double>(fit.rank))) *
+      fit.covariance;
   if (fit.rank == 0) return plain;
-  const Directions directions(fit.jacobian);
-  VectorXd inverse(fit.rank);
-  for (Index i = 0; i < fit.rank; ++i) inverse(i) = 1 / directions.value(i);
-  const MatrixXd to_unknowns =
-      directions.per_length().asDiagonal() * directions.of_unknowns().leftCols(fit.rank) * inverse.asDiagonal();
+  const MatrixXd to_unknowns = Directions(fit.jacobian).to_orthonormal();
   const auto scatter =
       cluster_scatter(folds_of(fit.jacobian * to_unknowns, fit.rows, labels), fit.scale.asDiagonal() * to_unknowns);
   if (!scatter) return plain;

@@ -15,6 +15,7 @@
 #include "diagnose/inference/fold_scatter.hpp"
 #include "diagnose/inference/null_fit.hpp"
 #include "diagnose/thresholds.hpp"
+#include "diagnose/verdict/decay_parts.hpp"
 #include "diagnose/verdict/foreign_search.hpp"
 #include "diagnose/verdict/told_disturbances.hpp"
 #include "estimator/identification/value_errors.hpp"
@@ -61,7 +62,8 @@ struct Attempt {
   DiagnosisOptions options;
   ForeignContent foreign;
   RowsLeft left;
-  std::size_t symbols = 0;  // of the model, which come first among the unknowns
+  std::size_t symbols = 0;                  // of the model, which come first among the unknowns
+  std::optional<PartsOfDecays> parts = {};  // of decays in one piece
   // Where nothing that was measured depends on any number of the model, there is no place to come to an end at.
   bool has_converged() const {
     const Refit& fit = fitted.inference.null.fit;
@@ -131,28 +133,40 @@ Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& opti
   return std::move(*best);
 }
 
-bool has_segments_of_decays(const Comparison& comparison, const Campaign& campaign) {
-  std::map<std::size_t, std::set<int>> folds;
-  for (const RowLabel& label : comparison.discrepancy.labels())
-    if (campaign.records[label.record].kind == RecordKind::free_decay) folds[label.record].insert(label.fold);
-  return std::any_of(folds.begin(), folds.end(), [](const auto& record) { return record.second.size() > 1; });
+std::size_t rows_of_decays(const Comparison& comparison, const Campaign& campaign) {
+  const std::vector<RowLabel> labels = comparison.discrepancy.labels();
+  return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), [&](const RowLabel& label) {
+    return campaign.records[label.record].kind == RecordKind::free_decay;
+  }));
+}
+
+// Why decays are not fitted in one piece; empty: nothing speaks against it. Mains and zeros keep their course over
+// a segment only, and beside noise with a colour a law that is missing hardly shows.
+std::string against_one_piece(const Attempt& segments) {
+  const DiagnosisOptions& options = segments.options;
+  const bool has_tones = std::any_of(options.tones.begin(), options.tones.end(),
+                                     [](const auto& of_record) { return !of_record.second.empty(); });
+  if (!segments.has_converged()) return "the fit by the full equations did not come to an end";
+  if (has_tones) return "tones that are not the structure's stand beside the motion";
+  if (!options.wandering.empty()) return "a sensor's zero wanders";
+  if (!options.coloured.empty()) return "noise has a colour";
+  return {};
 }
 
 // From a fit in which segments of decays have states of their own, the same with one state a decay
-// (docs/inference.md, decays in one piece). Not where something stands beside the motion: mains and zeros keep
-// their course over a segment only, and beside noise with a colour a law that is missing hardly shows.
+// (docs/inference.md, decays in one piece).
 std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides, FitCount& count) {
   DiagnosisOptions options = segments.options;
-  const bool has_tones = std::any_of(options.tones.begin(), options.tones.end(),
-                                     [](const auto& of_record) { return !of_record.second.empty(); });
-  if (!segments.has_converged() || has_tones || !options.wandering.empty() || !options.coloured.empty() ||
-      !has_segments_of_decays(segments.fitted.comparison, sides.campaign))
+  if (!against_one_piece(segments).empty() || rows_of_decays(segments.fitted.comparison, sides.campaign) == 0)
     return {};
   count.expect(usual_fits_in_one_piece);
   options.whole_decays = true;
   FittedAlone fitted{compare(sides, {}, options), segments.fitted.inference, segments.fitted.late};
-  Attempt whole{std::move(fitted), std::move(options), segments.foreign, {}};
+  Attempt whole{std::move(fitted), std::move(options), segments.foreign, {}, sides.model.symbols.size()};
   bring_to_rest(whole);
+  if (whole.has_converged())
+    whole.parts = parts_of_decays(whole.fitted.comparison, whole.fitted.inference.null.fit, sides.campaign,
+                                  sides.model.modes());
   return whole;
 }
 
@@ -160,6 +174,29 @@ std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndMo
 VectorXd hidden_in(const Refit& fit, const RowsLeft& left) {
   const double beyond = std::sqrt(std::max(0.0, left.chi_squared - left.freedom));
   return beyond * fit.covariance.diagonal().cwiseMax(0).cwiseSqrt();
+}
+
+// By free unknown, what a law that hardly shows may have moved it by (docs/inference.md (70)).
+VectorXd moved_by_laws(const Attempt& attempt) {
+  const auto count = static_cast<Index>(attempt.fitted.inference.null.fit.free.size());
+  if (!attempt.parts || attempt.parts->laws.moved.size() != count) return VectorXd::Zero(count);
+  return attempt.parts->laws.moved;
+}
+
+// The same of what parts of decays differ by (docs/inference.md (67)).
+VectorXd hidden_by_parts(const Attempt& whole) {
+  const PartsAgreement& worse = whole.parts->worse();
+  const RowsLeft left{worse.chi_squared, worse.freedom * whole.parts->noise_beside};
+  return hidden_in(whole.fitted.inference.null.fit, left).cwiseMax(2 * moved_by_laws(whole));
+}
+
+VectorXd by_symbol(const Attempt& whole, std::size_t symbols) {
+  const std::vector<std::size_t>& free = whole.fitted.inference.null.fit.free;
+  const VectorXd hidden = hidden_by_parts(whole);
+  VectorXd all = VectorXd::Zero(static_cast<Index>(symbols));
+  for (std::size_t f = 0; f < free.size(); ++f)
+    if (free[f] < symbols) all(static_cast<Index>(free[f])) = hidden(static_cast<Index>(f));
+  return all;
 }
 
 // Symbols that cannot be told apart, a list for each direction that the rows do not see; first those that move no
@@ -208,6 +245,7 @@ DetectedGap gap_of(const Attempt& best) {
 struct JudgedRows {
   RowsLeft left;
   DetectedGap gap;
+  std::optional<PartsOfDecays> parts;
 };
 
 double misfit_of(const RowsLeft& left) {
@@ -222,7 +260,8 @@ bool does_as_well(const Attempt& whole, const Attempt& segments) {
 
 // All rows as one equation.
 LackOfFit lack_of_all_rows(const JudgedRows& judged, std::size_t conditions) {
-  const auto& [left, gap] = judged;
+  const RowsLeft& left = judged.left;
+  const DetectedGap& gap = judged.gap;
   LackOfFit test;
   test.name = "full equations of motion, all records";
   test.conditions = conditions;
@@ -256,6 +295,7 @@ std::vector<std::string> warnings_of(const Attempt& best, const JudgedRows& judg
         "measurement repeats to (p = {:.2g}); error bars allow for a misfit as large that the numbers have taken "
         "up, and where that dominates a number is doubtful. `secular diagnose` looks for what is missing",
         ratio, gap.p_value));
+  if (judged.parts && judged.parts->differ()) warnings.push_back(warning_of(*judged.parts));
   if (stretches == 1)
     warnings.push_back(
         "all numbers rest on one stretch of one record: how far they differ from stretch to stretch is in no error "
@@ -270,12 +310,14 @@ std::vector<std::string> warnings_of(const Attempt& best, const JudgedRows& judg
   return warnings;
 }
 
+std::string reason_of_segments(const Attempt& whole) {
+  return whole.has_converged() ? fmt::format("the model leaves {:.3g} times what the measurement repeats to",
+                                             std::sqrt(misfit_of(whole.left)))
+                               : "the fit did not come to an end";
+}
+
 std::string why_segments_stay(const Attempt& whole) {
-  const std::string why = whole.has_converged()
-                              ? fmt::format("the model leaves {:.3g} times what the measurement repeats to",
-                                            std::sqrt(misfit_of(whole.left)))
-                              : std::string("the fit did not come to an end");
-  return "free decays are compared in segments with a state each: in one piece " + why +
+  return "free decays are compared in segments with a state each: in one piece " + reason_of_segments(whole) +
          "; error bars are larger than those of a model that holds all along a decay";
 }
 
@@ -306,8 +348,13 @@ void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndM
   const Discrepancy& discrepancy = best.fitted.comparison.discrepancy;
   const auto symbols = static_cast<Index>(sides.model.symbols.size());
   const SymbolUnits units(sides.campaign, sides.model);
-  const MatrixXd covariance = covariance_of(fit, discrepancy.labels(), static_cast<double>(discrepancy.freedom()));
-  const VectorXd hidden = hidden_in(fit, judged.left);
+  const MatrixXd covariance = covariance_of(fit, discrepancy.labels(), static_cast<double>(discrepancy.freedom()),
+                                            best.parts ? best.parts->dispersion() : 1);
+  VectorXd hidden = VectorXd::Zero(static_cast<Index>(fit.free.size()));
+  if (judged.gap.detected) hidden = hidden_in(fit, judged.left);
+  const bool differ = best.parts && best.parts->differ();
+  if (differ) hidden = hidden.cwiseMax(hidden_by_parts(best));
+  const VectorXd moved = differ ? VectorXd::Zero(hidden.size()).eval() : moved_by_laws(best);
   const double open_share = blows_are_open_to(best, sides);
   estimate.covariance = MatrixXd::Zero(symbols, symbols);
   estimate.parameter_values = VectorXd::Constant(symbols, NAN);
@@ -330,9 +377,9 @@ void take_parameters(Estimate& estimate, const Attempt& best, const CampaignAndM
       value.value = fit.unknowns(static_cast<Index>(s));
       value.noise_sd = std::sqrt(std::max(0.0, covariance(at, at)));
       if (acts_by_an_excitation(sides.model, s)) value.open_sd = open_share * std::abs(*value.value);
-      value.sd = std::hypot(value.noise_sd, value.open_sd);
+      value.sd = std::hypot(value.noise_sd, value.open_sd, moved(at));
       value.degrees_of_freedom = best.left.freedom;
-      if (judged.gap.detected) add_misfit(value, hidden(at));
+      add_misfit(value, hidden(at));
       value.significant = is_significant(value);
     }
     estimate.parameters.push_back(std::move(value));
@@ -434,11 +481,12 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   const bool keeps_segments = whole && !does_as_well(*whole, best);
   if (whole && !keeps_segments) best = std::move(*whole);
   const Comparison& comparison = best.fitted.comparison;
-  JudgedRows judged{best.left, gap_of(best)};
+  JudgedRows judged{best.left, gap_of(best), best.parts};
   // States of their own take up what a missing law makes along a decay: that is seen in one piece.
-  if (keeps_segments && whole->has_converged()) judged = {whole->left, gap_of(*whole)};
+  if (keeps_segments && whole->has_converged()) judged = {whole->left, gap_of(*whole), whole->parts};
   FullEstimate result;
   result.has_converged = best.has_converged();
+  result.alarm = diagnose_thresholds().gap_alarm;
   result.noise_misjudged = judged.gap.noise_misjudged;
   result.conditions = comparison.conditions.size() + comparison.segments;
   result.data_used = comparison.data_used;
@@ -451,8 +499,15 @@ FullEstimate estimate_by_full_equations(const CampaignAndModel& sides, const Dia
   if (result.has_converged) take_directions(result.estimate, best, sides.model);
   // Where a fit has not come to an end, what it leaves says nothing of the model.
   if (result.has_converged) result.estimate.lack_of_fit = {{"", {lack_of_all_rows(judged, result.conditions)}}};
+  if (result.has_converged && judged.parts) {
+    result.parts = lack_of_parts(*judged.parts, comparison.segments);
+    result.estimate.lack_of_fit.front().equations.push_back(*result.parts);
+    if (judged.parts->differ() && !judged.parts->only_records_differ())
+      result.hidden_by_parts = by_symbol(keeps_segments ? *whole : best, sides.model.symbols.size());
+  }
   result.estimate.warnings = warnings_of(best, judged, result.conditions, sides.campaign);
   if (keeps_segments) result.estimate.warnings.push_back(why_segments_stay(*whole));
+  result.against_one_piece = keeps_segments ? reason_of_segments(*whole) : whole ? "" : against_one_piece(best);
   return result;
 }
 

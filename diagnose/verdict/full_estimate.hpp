@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,7 +35,14 @@ struct ComparedRecord {
 struct FullEstimate {
   /// One parameter for every symbol of the model, lack_of_fit of all rows together; no lumps, no cases.
   Estimate estimate;
-  bool has_converged = false;    ///< else no parameter has a value
+  bool has_converged = false;  ///< else no parameter has a value
+  /// Why free decays are not fitted in one piece each; empty: they are.
+  std::string against_one_piece;
+  /// Of decays alone that have come to rest in one piece each: whether parts of them tell the same numbers; where
+  /// they do not, by symbol what a misfit as large may have done to it (else empty).
+  std::optional<LackOfFit> parts;
+  Eigen::VectorXd hidden_by_parts;
+  double alarm = 0;              ///< probability at which what is seen is significant
   bool noise_misjudged = false;  ///< the rows scatter far less than the repeatability that they are measured in
   std::vector<Disturbance> disturbances;
   std::set<std::size_t> records;  ///< that the numbers rest on

@@ -205,6 +205,21 @@ Json block_json(const BlockQuality& block) {
   return entry;
 }
 
+Json number_json(const std::vector<EstimatedValue>& values, std::size_t at) {
+  if (at >= values.size() || !values[at].value) return nullptr;
+  return {{"value", *values[at].value}, {"sd", values[at].sd}};
+}
+
+Json refinement_json(const DecayRefinement& refinement) {
+  Json entry = {{"taken", refinement.is_taken()}, {"text", text_of(refinement)}};
+  entry["parameters"] = Json::array();
+  for (std::size_t p = 0; p < refinement.by_modulation.size(); ++p)
+    entry["parameters"].push_back({{"name", refinement.by_modulation[p].name},
+                                   {"by_modulation_equations", number_json(refinement.by_modulation, p)},
+                                   {"by_full_equations", number_json(refinement.by_full_equations, p)}});
+  return entry;
+}
+
 Json json_of(const Identification& identification) {
   Json result;
   result["schema"] = 1;
@@ -268,6 +283,7 @@ Json json_of(const Identification& identification) {
                                      {"largest_excursion", prediction.amplitude},
                                      {"unit", identification.coordinate_unit}});
   }
+  if (identification.refinement) quality["refinement"] = refinement_json(*identification.refinement);
   quality["warnings"] = identification.estimate.warnings;
   add_unstated_noise(result, identification.estimate.unstated_noise);
   result["quality"] = std::move(quality);

@@ -96,6 +96,22 @@ void add_values(report::HtmlReport& page, const Estimate& estimate, bool lumps,
   page.table(table);
 }
 
+void add_refinement(report::HtmlReport& page, const DecayRefinement& refinement) {
+  if (refinement.by_full_equations.size() != refinement.by_modulation.size()) return;
+  Table table;
+  table.columns = {{"Parameter", Column::Kind::text, ""},
+                   {"By the modulation equations", Column::Kind::number, ""},
+                   {"By the full equations", Column::Kind::number, ""}};
+  const auto text = [](const EstimatedValue& v) {
+    return v.value ? report::format_uncertain(*v.value, v.sd) : std::string("not identifiable");
+  };
+  for (std::size_t p = 0; p < refinement.by_modulation.size(); ++p)
+    if (!refinement.by_modulation[p].fixed)
+      table.rows.push_back({refinement.by_modulation[p].name, text(refinement.by_modulation[p]),
+                            text(refinement.by_full_equations[p])});
+  page.details("Both equations side by side", [&] { page.table(table); });
+}
+
 void add_following(report::HtmlReport& page, const Identification& id) {
   if (id.following.empty()) return;
   Table table;

@@ -21,6 +21,9 @@ void add_cards(report::HtmlReport& page, const Estimate& estimate, const std::se
 void add_values(report::HtmlReport& page, const Estimate& estimate, bool lumps,
                 const std::set<std::string>& frequencies);
 
+/// The parameters by either equations, where there are both.
+void add_refinement(report::HtmlReport& page, const DecayRefinement& refinement);
+
 /// The table of coefficients that follow from the rest position, where there are any.
 void add_following(report::HtmlReport& page, const Identification& id);
 

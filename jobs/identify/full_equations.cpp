@@ -87,11 +87,8 @@ std::map<std::string, double> start_by_modulation(const IdentificationRequest& r
   return start;
 }
 
-Identification identify_by_full_equations(const IdentificationRequest& request, const Campaign& campaign) {
-  Identification id;
-  FullEstimate& full = id.full.emplace();
-  const ModelSource source(request.model, request.interpret, request.note);
-  id.campaign = campaign;
+FullFit fit_full_equations(const IdentificationRequest& request, const Identification& id,
+                           const ModelSource& source, const std::vector<std::map<std::string, double>>& begins) {
   DisturbanceWatch watch(id.campaign);
   SelectedRecords reader(id.campaign, request.window, watch.look());
   const RecordReader read = [&](std::size_t r) { return reader.read(r); };
@@ -101,23 +98,33 @@ Identification identify_by_full_equations(const IdentificationRequest& request, 
   options.most_samples = most_samples;
   options.skips_blows = true;
   options.start = request.fixed;
-  FrequencyStarts starts = start_frequencies(source, id.campaign, read, options);
+  FullFit fit{{}, start_frequencies(source, id.campaign, read, options).warnings, 0};
   std::vector<Disturbance> found = found_in_records(id.campaign, request.window, reader, watch);
+  const CampaignAndModel sides{id.campaign, read, *id.model, fitted_symbols(*id.model, request.fixed)};
+  fit.of = estimate_by_full_equations(sides, options, begins, std::move(found), request.progress);
+  for (std::string& warning : reader.warnings()) fit.warnings.push_back(std::move(warning));
+  fit.looked_at = watch.records();
+  return fit;
+}
+
+Identification identify_by_full_equations(const IdentificationRequest& request, const Campaign& campaign) {
+  Identification id;
+  const ModelSource source(request.model, request.interpret, request.note);
+  id.campaign = campaign;
   id.model = source.load({});
   std::vector<std::map<std::string, double>> begins;
   std::string no_start;
   begins.push_back(start_by_modulation(request, campaign, no_start));
   if (begins.back().empty()) begins.clear();
   begins.push_back({});
-  const CampaignAndModel sides{id.campaign, read, *id.model, fitted_symbols(*id.model, request.fixed)};
-  full = estimate_by_full_equations(sides, options, begins, std::move(found), request.progress);
+  FullFit fit = fit_full_equations(request, id, source, begins);
+  FullEstimate& full = id.full.emplace(std::move(fit.of));
   id.estimate = std::move(full.estimate);
   id.disturbances = std::move(full.disturbances);
-  for (const auto& warnings : {starts.warnings, reader.warnings()})
-    id.estimate.warnings.insert(id.estimate.warnings.end(), warnings.begin(), warnings.end());
+  id.estimate.warnings.insert(id.estimate.warnings.end(), fit.warnings.begin(), fit.warnings.end());
   if (!full.has_converged && !no_start.empty())
     id.estimate.warnings.push_back("dwells and free decays give no start by the modulation equations: " + no_start);
-  id.looked_at = watch.records();
+  id.looked_at = fit.looked_at;
   id.coordinate_unit = modal_projection(id.campaign, *id.model).unit;
   return id;
 }

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "jobs/identify/identification.hpp"
 
@@ -22,6 +23,18 @@ std::set<std::size_t> without_expansion(const Campaign& campaign, std::set<std::
 /// full equations. Nothing where they make nothing of them, and then `why`, or where there are none.
 std::map<std::string, double> start_by_modulation(const IdentificationRequest& request, const Campaign& campaign,
                                                   std::string& why);
+
+/// A fit by the full equations, and what reading the records and beginning it had to say.
+struct FullFit {
+  FullEstimate of;
+  std::vector<std::string> warnings;
+  std::size_t looked_at = 0;  ///< records
+};
+
+/// Fits `id.model` to all records of the window in `id.campaign`. `begins`: as `starts` of
+/// estimate_by_full_equations(). Throws InputError.
+FullFit fit_full_equations(const IdentificationRequest& request, const Identification& id,
+                           const ModelSource& source, const std::vector<std::map<std::string, double>>& begins);
 
 /// Fits the model to all records of the window by its full equations of motion. Where dwells or free decays are
 /// among them, the estimate by the modulation equations of these is the start; nominal values and natural

@@ -111,16 +111,22 @@ Identification identify_by_modulation(const IdentificationRequest& request, cons
   for (const auto* warnings : {&assignment.warnings, &starts.warnings})
     result.estimate.warnings.insert(result.estimate.warnings.begin(), warnings->begin(), warnings->end());
   clock.skip();
-  try {
-    for (const ObservationSet& set : result.measured)
-      if (!set.resonance->excited && model.modes() == 1)
-        for (std::size_t r = 0; r < campaign.records.size(); ++r) take_decay(request, read, r, set, result);
-  } catch (const NumericalFailure& failure) {
-    result.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + failure.what() +
-                                       ")");
-  }
+  follow_decays(request, read, result);
   clock.done("held out");
   return result;
+}
+
+void follow_decays(const IdentificationRequest& request, const RecordReader& read, Identification& id) {
+  id.held_out.clear();
+  id.followed.clear();
+  try {
+    for (const ObservationSet& set : id.measured)
+      if (!set.resonance->excited && id.model->modes() == 1)
+        for (std::size_t r = 0; r < id.campaign.records.size(); ++r) take_decay(request, read, r, set, id);
+  } catch (const NumericalFailure& failure) {
+    id.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + failure.what() +
+                                   ")");
+  }
 }
 
 namespace {

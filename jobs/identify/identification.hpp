@@ -11,6 +11,7 @@
 #include "diagnose/verdict/full_estimate.hpp"
 #include "estimator/identification/estimate.hpp"
 #include "estimator/identification/record_lateness.hpp"
+#include "jobs/identify/decay_refinement.hpp"
 #include "jobs/identify/following_estimates.hpp"
 #include "jobs/shared/model_loading.hpp"
 #include "measure/data/campaign.hpp"
@@ -52,6 +53,8 @@ struct Identification {
   /// By the full equations, which have no cases, observations and lumps. Its estimate and disturbances are those
   /// beside it.
   std::optional<FullEstimate> full;
+  /// Of free decays alone, whose equations the user leaves to the program.
+  std::optional<DecayRefinement> refinement;
   std::vector<FollowingEstimate> following;  ///< where all that they follow from is estimated
   std::vector<HeldOutPrediction> held_out;
   /// The first few decays of one mode in one piece, over what was fitted: for reports.
@@ -79,6 +82,10 @@ Identification identify_by_modulation(const IdentificationRequest& request, cons
 /// The same with records that `read` gives.
 Identification identify_by_modulation(const IdentificationRequest& request, const Campaign& measured,
                                       const RecordReader& read);
+
+/// Of free decays of one mode, what the full equations at the estimate make of them: `held_out` and `followed`
+/// anew.
+void follow_decays(const IdentificationRequest& request, const RecordReader& read, Identification& id);
 
 /// What follows the observations: `id` holds campaign, model and what was measured, and gets the estimate, the
 /// replays and the units.

@@ -340,7 +340,9 @@ std::string identification_report(const Identification& id, const Figure& respon
       "Standard deviations have two parts: by noise, from the scatter between test conditions, and what is left "
       "open, the bias that the expansion's truncation may have where entangled parameters act beyond it (another "
       "measurement of the same kind would not change that part).");
+  if (id.refinement) page.paragraph("Numbers are " + text_of(*id.refinement) + ".");
   add_values(page, id.estimate, false, frequencies);
+  if (id.refinement) add_refinement(page, *id.refinement);
   add_following(page, id);
   add_pairs(page, id.estimate, frequencies);
   for (const std::string& line : scatter_lines(id.estimate)) page.paragraph(line + ".");

@@ -75,6 +75,7 @@ Identification identify(const IdentificationRequest& request, const Campaign& ca
   const bool full = equations_of(request, campaign, left_out) == Equations::full;
   Identification id =
       full ? identify_by_full_equations(request, campaign) : identify_by_modulation(request, campaign);
+  if (!full && refines_decays(request, campaign)) refine_decays(request, id);
   std::vector<std::string>& warnings = id.estimate.warnings;
   warnings.insert(warnings.begin(), left_out.begin(), left_out.end());
   id.mostly_left_out = lost_records(id, request.window);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "diagnose/inference/refit.hpp"
+#include "diagnose/verdict/comparison.hpp"
+
+namespace secular {
+
+/// What a law of the amplitude that a model of one mode lacks may have moved the numbers of decays by.
+struct UnseenLaws {
+  std::string likeliest;  ///< "a^2 in the damping"; empty: none is told apart from the model's own
+  double deviations = 0;  ///< of that law's strength from zero, in standard deviations
+  double p_value = 1;     ///< all laws that were tried allowed for
+  Eigen::VectorXd moved;  ///< by free unknown, the largest of all laws
+
+  bool is_seen() const;
+};
+
+/// docs/inference.md (70). `in_time`: a fit to decays in one piece each, rows and slopes put in time
+/// (SegmentEvidence::put_in_time). `noise`: power about the motion over white noise.
+UnseenLaws unseen_laws(const Comparison& comparison, const Refit& in_time, double noise);
+
+}  // namespace secular
