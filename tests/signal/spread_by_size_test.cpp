@@ -11,9 +11,46 @@ namespace {
 
 using Places = std::vector<std::size_t>;
 
+// One of each part: at its middle, a quarter, three quarters.
 TEST(SpreadBySize, UnitsOfOneSizeAreSpreadEvenly) {
-  EXPECT_EQ(spread_by_size(std::vector<double>(12, 2.5), 3), (Places{2, 6, 10}));
-  EXPECT_EQ(spread_by_size(std::vector<double>(12, 0.0), 3), (Places{2, 6, 10}));
+  EXPECT_EQ(spread_by_size(std::vector<double>(12, 2.5), 3), (Places{2, 5, 11}));
+  EXPECT_EQ(spread_by_size(std::vector<double>(12, 0.0), 3), (Places{2, 5, 11}));
+}
+
+// What goes to and fro a whole number of times is met in both directions, at whatever phase it begins;
+// docs/inference.md (59). (Middles of the parts meet one direction alone at every phase.)
+TEST(SpreadBySize, WhatRepeatsWithThePartsIsMetAtMoreThanOnePhase) {
+  constexpr std::size_t units = 160;
+  const std::vector<double> sizes(units, 1.0);
+  for (const std::size_t kept : {4U, 5U, 8U}) {
+    const Places taken = spread_by_size(sizes, kept);
+    ASSERT_EQ(taken.size(), kept);
+    const std::size_t period = units / kept;
+    for (std::size_t phase = 0; phase < period; ++phase) {
+      const auto forth = std::count_if(taken.begin(), taken.end(),
+                                       [&](std::size_t i) { return (i + phase) % period < period / 2; });
+      EXPECT_GE(forth, 1) << kept << " of phase " << phase;
+      EXPECT_LT(forth, static_cast<std::ptrdiff_t>(kept)) << kept << " of phase " << phase;
+    }
+  }
+}
+
+// Two places may lie in one unit: no unit is taken twice, and none without a size while others are left.
+TEST(SpreadBySize, NoUnitIsTakenTwice) {
+  std::mt19937_64 draw(20612);
+  std::uniform_real_distribution<double> size(-0.5, 1);
+  for (int row = 0; row < 300; ++row) {
+    std::vector<double> sizes(static_cast<std::size_t>(4 + row % 20));
+    for (double& s : sizes) s = std::max(0.0, size(draw));
+    const auto with_size =
+        static_cast<std::size_t>(std::count_if(sizes.begin(), sizes.end(), [](double s) { return s > 0; }));
+    for (std::size_t kept = 1; kept <= sizes.size(); ++kept) {
+      const Places taken = spread_by_size(sizes, kept);
+      EXPECT_EQ(std::set<std::size_t>(taken.begin(), taken.end()).size(), kept);
+      const auto counted = std::count_if(taken.begin(), taken.end(), [&](std::size_t i) { return sizes[i] > 0; });
+      EXPECT_EQ(static_cast<std::size_t>(counted), std::min(kept, with_size));
+    }
+  }
 }
 
 TEST(SpreadBySize, WhatIsLargeIsTakenAndTheRestIsSpread) {
