@@ -176,7 +176,7 @@ VectorXd hidden_in(const Refit& fit, const RowsLeft& left) {
   return beyond * fit.covariance.diagonal().cwiseMax(0).cwiseSqrt();
 }
 
-// By free unknown, what a law that hardly shows may have moved it by (docs/inference.md (70)).
+// By free unknown, what a law that hardly shows may have moved it by (docs/inference.md (76)).
 VectorXd moved_by_laws(const Attempt& attempt) {
   const auto count = static_cast<Index>(attempt.fitted.inference.null.fit.free.size());
   if (!attempt.parts || attempt.parts->laws.moved.size() != count) return VectorXd::Zero(count);

@@ -485,6 +485,8 @@ class SharedFit {
     const VectorXd of_coordinates = result_.noise_covariance.diagonal().tail(directions_);
     result_.null_coordinate_sd =
         (of_coordinates + result_.null_coordinate_prior.rowwise().squaredNorm()).cwiseSqrt();
+    if (!result_.covariance.cwiseAbs2().allFinite())
+      throw NumericalFailure(Ending::ran_away, "standard deviations of the parameters are beyond all numbers");
     for (Index p = 0; p < count_; ++p)
       if (squares(p) > 0) result_.degrees_of_freedom(p) = std::pow(result_.covariance(p, p), 2) / squares(p);
   }

@@ -45,9 +45,11 @@ void for_each_number(Estimate& estimate, const Do& act) {
       if (value.value && !value.fixed) act(value);
 }
 
+// A number that no lump moves (what it is comes of others that are open) is told by none of the other cases,
+// either.
 bool told_by_these_alone(const EstimatedValue& value, const std::set<std::string>& cases) {
-  return !value.told_by.empty() && std::all_of(value.told_by.begin(), value.told_by.end(),
-                                               [&](const std::string& name) { return cases.contains(name); });
+  return !cases.empty() && std::all_of(value.told_by.begin(), value.told_by.end(),
+                                       [&](const std::string& name) { return cases.contains(name); });
 }
 
 bool leaves_open(const CaseFit& fit) {

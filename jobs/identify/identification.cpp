@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <utility>
 
+#include "estimator/identification/even_sensor.hpp"
 #include "estimator/identification/other_estimate.hpp"
-#include "estimator/identification/value_errors.hpp"
+#include "estimator/identification/unsupported_values.hpp"
 #include "estimator/model/by_name.hpp"
 #include "input/input_error.hpp"
 #include "input/numerical_failure.hpp"
@@ -20,6 +22,7 @@
 #include "measure/observe/modal_projection.hpp"
 #include "motion/correction/cubic_sensor.hpp"
 #include "motion/correction/free_phases.hpp"
+#include "motion/correction/low_pass.hpp"
 
 namespace secular {
 namespace {
@@ -49,23 +52,6 @@ class StageClock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace
-
-Identification identify_by_modulation(const IdentificationRequest& request, const Campaign& campaign) {
-  DisturbanceWatch watch(campaign);
-  SelectedRecords reader(campaign, request.window, watch.look());
-  reader.leave_clipped_out();
-  Identification result = identify_by_modulation(request, campaign, [&](std::size_t r) { return reader.read(r); });
-  for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
-  result.disturbances = watch.found();
-  list_clipped_as_left_out(result.disturbances);
-  for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
-  result.looked_at = watch.records();
-  return result;
-}
-
-namespace {
-
 /// Decays that are followed.
 constexpr std::size_t most_followed = 3;
 
@@ -80,7 +66,139 @@ void take_decay(const IdentificationRequest& request, const RecordReader& read, 
     result.followed.push_back(std::move(*followed));
 }
 
+EstimateOptions options_of(const IdentificationRequest& request) {
+  EstimateOptions options;
+  options.fixed = request.fixed;
+  options.bootstrap = request.bootstrap;
+  options.seed = request.seed;
+  options.refine = request.refine;
+  options.threads = request.threads;
+  return options;
+}
+
+/// What numbers are allowed where they may be those of `other`, in words. `without`: of what the other is free.
+std::string allow_for(Estimate& estimate, const std::string& without, const std::function<Estimate()>& other) {
+  try {
+    allow_for_other(estimate, other(), "it moves where " + without + " is taken off");
+    return "numbers are allowed what they move by where that is taken off";
+  } catch (const NumericalFailure&) {
+    doubt_all(estimate, "nothing can be identified where " + without + " is taken off");
+    return "where that is taken off nothing can be identified, so that no number is sure";
+  }
+}
+
+/// Equal poles of a low-pass, until harmonics and the amplitudes' course with frequency do not exclude it.
+constexpr int numbers_of_poles[] = {1, 4, 16, 64};
+
+/// What makes all records late alike may be a low-pass, which takes amplitude off, too. docs/inference.md (71),
+/// (72).
+void judge_lateness(const EstimateTask& task, Identification& id) {
+  auto filter = shared_low_pass(id.lateness, id.measured);
+  for (const int poles : numbers_of_poles) {
+    if (!filter) return;
+    filter->poles = poles;
+    bool holds = true;
+    const std::string allowed = allow_for(id.estimate, "a low-pass that makes records late", [&] {
+      Estimate other = estimate_corrected(before_low_pass(id.measured, *filter), task).estimate;
+      holds = cases_with_lack_of_fit(other).empty() && !other.consistency.significant;
+      return holds ? other : id.estimate;
+    });
+    if (!holds) continue;
+    const char* const channel = filter->late_s < 0 ? "excitation" : "responses";
+    id.estimate.warnings.push_back(fmt::format(
+        "all records are late alike, as a low-pass in the {} makes them: one of {} takes {:.2g} % off amplitudes "
+        "(steeper ones less, a mere delay nothing), and nothing tells that it is none: {}. Pass both through "
+        "filters "
+        "alike, or take out of the {} what the filter does",
+        channel, poles == 1 ? "a single pole" : fmt::format("{} equal poles", poles),
+        100 * (1 - filter->amplitude()), allowed, channel));
+    return;
+  }
+}
+
+/// Means that grow as the square of the motion are a sensor's, whose second harmonics are wrong, too.
+/// docs/inference.md (73), (74).
+void judge_means(const std::vector<ObservationSet>& observed, const RecordReader& read, const Window& window,
+                 const EstimateTask& task, Identification& id) {
+  const auto sensor = even_sensor(id.campaign, read, observed, window);
+  if (!sensor) return;
+  std::vector<ObservationSet> without;
+  for (const ObservationSet& set : observed) without.push_back(without_even_part(set, *sensor));
+  const std::string allowed = allow_for(id.estimate, "the even part of a sensor's law",
+                                        [&] { return estimate_with_phases(without, task).of.estimate; });
+  id.estimate.warnings.push_back(fmt::format(
+      "case {}: the mean of {} grows as the square of its motion, where a lasting motion has none. A sensor that "
+      "is not "
+      "linear makes that, and {:.2g} % of second harmonic with it at the largest motion: {}",
+      sensor->resonance->name, id.model->coordinates[sensor->mode], 100 * std::abs(sensor->second), allowed));
+}
+
+/// Third harmonics that neither model nor excitation makes may be those of a sensor whose amplitudes are wrong,
+/// too: numbers are allowed what they move by where its law is taken off. docs/inference.md (56), (57).
+void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTask& task, int derivatives,
+                  Identification& id) {
+  const auto sensor = cubic_sensor(id.measured, id.estimate, derivatives, task.options.threads);
+  if (!sensor) return;
+  std::vector<ObservationSet> without;
+  for (const ObservationSet& set : observed) without.push_back(without_cubic_part(set, *sensor));
+  const std::string allowed = allow_for(id.estimate, "the cubic part of a sensor's law",
+                                        [&] { return estimate_with_phases(without, task).of.estimate; });
+  id.estimate.warnings.push_back(fmt::format(
+      "case {}: beyond what model and excitation make, the responses' third harmonic grows as the cube "
+      "of the motion, to {:.2g} % of it, as that of a sensor which is not linear. Such a sensor's amplitudes are "
+      "{:.2g} % off there: {}. Where it is the structure's (a law that the model lacks), `secular diagnose` looks "
+      "for it",
+      sensor->resonance->name, 100 * std::abs(sensor->third), 300 * std::abs(sensor->third), allowed));
+}
+
+/// `read`: what reads the records that were observed; none: they are not read again.
+void estimate_sets(const IdentificationRequest& request, const RecordReader* read, Identification& id) {
+  const ModalProjection projection = modal_projection(id.campaign, *id.model);
+  id.coordinate_unit = projection.unit;
+  id.excitation_units.clear();
+  if (std::any_of(id.measured.begin(), id.measured.end(),
+                  [](const ObservationSet& s) { return s.resonance->excited; }))
+    for (const std::size_t channel : excitation_channels(id.campaign, *id.model))
+      id.excitation_units.push_back(id.campaign.channels[channel].unit);
+  StageClock clock(id.seconds);
+  const EstimateTask task{
+      id.campaign, {id.coordinate_unit, id.excitation_units}, options_of(request), [&](const char* stage) {
+        clock.done(stage);
+      }};
+  try {
+    const std::vector<ObservationSet> observed = id.measured;
+    PhasedEstimate found = estimate_with_phases(observed, task);
+    id.estimate = std::move(found.of.estimate);
+    id.measured = std::move(found.of.measured);
+    id.replayed = std::move(found.of.replayed);
+    id.lateness = std::move(found.lateness);
+    id.freed = std::move(found.freed);
+    judge_lateness(task, id);
+    if (read != nullptr) judge_means(observed, *read, request.window, task, id);
+    judge_sensor(observed, task, projection.derivatives, id);
+  } catch (const NothingObserved& nothing) {  // here it is the campaign itself
+    throw InputError(id.campaign.folder.string(), "", nothing.what());
+  }
+}
+
 }  // namespace
+
+void estimate_observed(const IdentificationRequest& request, Identification& id) {
+  estimate_sets(request, nullptr, id);
+}
+
+Identification identify_by_modulation(const IdentificationRequest& request, const Campaign& campaign) {
+  DisturbanceWatch watch(campaign);
+  SelectedRecords reader(campaign, request.window, watch.look());
+  reader.leave_clipped_out();
+  Identification result = identify_by_modulation(request, campaign, [&](std::size_t r) { return reader.read(r); });
+  for (std::string& warning : reader.warnings()) result.estimate.warnings.push_back(std::move(warning));
+  result.disturbances = watch.found();
+  list_clipped_as_left_out(result.disturbances);
+  for (Disturbance& scatter : scatter_disturbances(result)) result.disturbances.push_back(std::move(scatter));
+  result.looked_at = watch.records();
+  return result;
+}
 
 Identification identify_by_modulation(const IdentificationRequest& request, const Campaign& measured,
                                       const RecordReader& read) {
@@ -107,7 +225,7 @@ Identification identify_by_modulation(const IdentificationRequest& request, cons
                                                 : observe_free_decays(campaign, read, model, resonance, window));
   }
   clock.done("observation");
-  estimate_observed(request, result);
+  estimate_sets(request, &read, result);
   for (const auto* warnings : {&assignment.warnings, &starts.warnings})
     result.estimate.warnings.insert(result.estimate.warnings.begin(), warnings->begin(), warnings->end());
   clock.skip();
@@ -126,77 +244,6 @@ void follow_decays(const IdentificationRequest& request, const RecordReader& rea
   } catch (const NumericalFailure& failure) {
     id.estimate.warnings.push_back(std::string("what was held out could not be predicted (") + failure.what() +
                                    ")");
-  }
-}
-
-namespace {
-
-EstimateOptions options_of(const IdentificationRequest& request) {
-  EstimateOptions options;
-  options.fixed = request.fixed;
-  options.bootstrap = request.bootstrap;
-  options.seed = request.seed;
-  options.refine = request.refine;
-  options.threads = request.threads;
-  return options;
-}
-
-}  // namespace
-
-namespace {
-
-/// Third harmonics that neither model nor excitation makes may be those of a sensor whose amplitudes are wrong,
-/// too: numbers are allowed what they move by where its law is taken off. docs/inference.md (56), (57).
-void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTask& task, int derivatives,
-                  Identification& id) {
-  const auto sensor = cubic_sensor(id.measured, id.estimate, derivatives, task.options.threads);
-  if (!sensor) return;
-  std::vector<ObservationSet> without;
-  for (const ObservationSet& set : observed) without.push_back(without_cubic_part(set, *sensor));
-  std::string allowed = "numbers are allowed what they move by where that is taken off";
-  try {
-    allow_for_other(id.estimate, estimate_with_phases(without, task).of.estimate,
-                    "it moves where the third harmonics of a sensor that is not linear are taken off");
-  } catch (const NumericalFailure&) {
-    allowed = "where that is taken off nothing can be identified, so that no number is sure";
-    for (EstimatedValue& value : id.estimate.parameters)
-      if (value.value && !value.fixed)
-        doubt(value, "without the harmonics of the sensor nothing can be identified");
-  }
-  id.estimate.warnings.push_back(fmt::format(
-      "case {}: beyond what model and excitation make, the responses' third harmonic grows as the cube "
-      "of the motion, to {:.2g} % of it, as that of a sensor which is not linear. Such a sensor's amplitudes are "
-      "{:.2g} % off there: {}. Where it is the structure's (a law that the model lacks), `secular diagnose` looks "
-      "for it",
-      sensor->resonance->name, 100 * std::abs(sensor->third), 300 * std::abs(sensor->third), allowed));
-}
-
-}  // namespace
-
-void estimate_observed(const IdentificationRequest& request, Identification& id) {
-  const ModalProjection projection = modal_projection(id.campaign, *id.model);
-  id.coordinate_unit = projection.unit;
-  id.excitation_units.clear();
-  if (std::any_of(id.measured.begin(), id.measured.end(),
-                  [](const ObservationSet& s) { return s.resonance->excited; }))
-    for (const std::size_t channel : excitation_channels(id.campaign, *id.model))
-      id.excitation_units.push_back(id.campaign.channels[channel].unit);
-  StageClock clock(id.seconds);
-  const EstimateTask task{
-      id.campaign, {id.coordinate_unit, id.excitation_units}, options_of(request), [&](const char* stage) {
-        clock.done(stage);
-      }};
-  try {
-    const std::vector<ObservationSet> observed = id.measured;
-    PhasedEstimate found = estimate_with_phases(observed, task);
-    id.estimate = std::move(found.of.estimate);
-    id.measured = std::move(found.of.measured);
-    id.replayed = std::move(found.of.replayed);
-    id.lateness = std::move(found.lateness);
-    id.freed = std::move(found.freed);
-    judge_sensor(observed, task, projection.derivatives, id);
-  } catch (const NothingObserved& nothing) {  // here it is the campaign itself
-    throw InputError(id.campaign.folder.string(), "", nothing.what());
   }
 }
 

@@ -186,6 +186,7 @@ void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& f
     Disturbance entry = record.found("held_samples", c, static_cast<double>(samples));
     entry.unit = "samples";
     if (record.channels[c].is_held) entry.treated = record.channels[c].treated_as();
+    if (!record.doubled.empty()) entry.treated = "removed";
     entry.share = entry.size / static_cast<double>(record.samples());
     entry.from_s = record.time_s(held.runs.front().begin);
     entry.to_s = record.time_s(held.runs.back().end);
@@ -196,6 +197,12 @@ void find_held_samples(const SearchedRecord& record, std::vector<Disturbance>& f
     if (const std::size_t foreign = record.channels[c].wrong.foreign.size(); foreign > 0)
       entry.text += fmt::format("; {} of those before them {} no measured value{} either", foreign,
                                 foreign == 1 ? "is" : "are", foreign == 1 ? "" : "s");
+    if (!record.doubled.empty())
+      entry.text += fmt::format(
+          "; {} are rows that the file holds twice, for what follows goes on as if they were not there: taken out, "
+          "and the record is {:.3g} % shorter",
+          record.doubled.size(),
+          100 * static_cast<double>(record.doubled.size()) / static_cast<double>(record.samples()));
     found.push_back(std::move(entry));
   }
 }

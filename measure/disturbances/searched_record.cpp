@@ -7,6 +7,7 @@
 #include "measure/data/false_alarm.hpp"
 #include "measure/disturbances/answered_blows.hpp"
 #include "measure/disturbances/catalogue.hpp"
+#include "measure/disturbances/doubled_rows.hpp"
 #include "measure/disturbances/motion_events.hpp"
 #include "numerics/fill_gaps.hpp"
 
@@ -161,6 +162,7 @@ SearchedRecord searched(const Campaign& campaign, std::size_t index, const Recor
     result.channels.push_back(std::move(channel));
   }
   keep_blows(result, stretch);
+  result.doubled = doubled_rows(result, stretch);
   return result;
 }
 

@@ -48,6 +48,7 @@ struct SearchedRecord {
   double start_s = 0, rate = 0, jitter_s = 0;  ///< of the stretch; Hz
   double level = 0;  ///< false alarm of one row on one channel: that per campaign over records x channels
   std::vector<SearchedChannel> channels;
+  std::vector<std::size_t> doubled;  ///< rows that the file holds twice, rising: doubled_rows()
 
   const RecordEntry& entry() const { return campaign->records[index]; }
   const Channel& channel(std::size_t c) const { return campaign->channels[c]; }

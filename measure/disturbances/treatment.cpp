@@ -6,6 +6,7 @@
 
 #include "measure/data/false_alarm.hpp"
 #include "measure/disturbances/converter_lines.hpp"
+#include "measure/disturbances/doubled_rows.hpp"
 #include "measure/disturbances/rows.hpp"
 #include "measure/disturbances/searched_record.hpp"
 
@@ -38,6 +39,19 @@ bool needs_a_look(bool dwell, const ChannelValues& values, const std::vector<dou
   return !find_wrong(samples, values, level).none();
 }
 
+void take_out_rows(Record& record, const std::vector<std::size_t>& rows) {
+  const auto goes = [&](std::size_t i) { return std::binary_search(rows.begin(), rows.end(), i); };
+  for (std::vector<double>& samples : record.channels) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (!goes(i)) samples[kept++] = samples[i];
+    samples.resize(kept);
+  }
+  std::erase_if(record.unusable, goes);
+  for (std::size_t& row : record.unusable)
+    row -= static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
+}
+
 std::vector<RoundedChannel> rounded_channels(const SearchedRecord& look, const Record& record,
                                              const std::vector<std::vector<std::size_t>>& masked) {
   std::vector<RoundedChannel> rounded;
@@ -67,7 +81,12 @@ Treatment treatment_of(const Campaign& campaign, std::size_t index, const Record
   Treatment treatment;
   if (nothing) return treatment;
   const SearchedRecord look = searched(campaign, index, record, values);
-  for (std::size_t c = 0; c < record.channels.size(); ++c) treatment.masked.push_back(look.channels[c].masked);
+  for (std::size_t c = 0; c < record.channels.size(); ++c)
+    treatment.masked.push_back(beside_doubled(look.channels[c].masked, look.doubled));
+  if (!look.doubled.empty()) {  // lines of a time that stops now and then are no lines
+    treatment.then = [rows = look.doubled](Record& mended) { take_out_rows(mended, rows); };
+    return treatment;
+  }
   if (!dwell) return treatment;
   std::vector<RoundedChannel> rounded = rounded_channels(look, record, treatment.masked);
   if (rounded.empty()) return treatment;

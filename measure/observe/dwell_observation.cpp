@@ -9,6 +9,7 @@
 #include "estimator/model/zero_frequency.hpp"
 #include "input/input_error.hpp"
 #include "measure/observe/dwell_resonance.hpp"
+#include "measure/observe/line_offset.hpp"
 #include "measure/observe/mode_frequencies.hpp"
 #include "measure/observe/observation_set.hpp"
 #include "measure/observe/observed_blocks.hpp"
@@ -21,6 +22,7 @@
 #include "measure/signal/tone_fit.hpp"
 #include "measure/signal/tone_separation.hpp"
 #include "measure/thresholds.hpp"
+#include "numerics/distribution.hpp"
 #include "numerics/hertz.hpp"
 #include "numerics/in_parallel.hpp"
 
@@ -148,6 +150,7 @@ class DwellObserver {
       if (const double drift = largest_drift(found); drift > 0)
         return leave_out(
             fmt::format("has not settled (the amplitude changes by {:.1f} % over the dwell)", 100 * drift));
+      if (const std::string why = off_its_line(record, range, ensemble, found); !why.empty()) return leave_out(why);
       if (!locked(found))
         return leave_out("the modes are not locked to the excitation (their phases wander against it)");
       warn_of_level(entry, found, result);
@@ -186,6 +189,34 @@ class DwellObserver {
       return leave_out("the motion is on the trivial branch (its amplitude is not above the noise)");
     }
     result.observations = {std::move(o)};
+  }
+
+  // docs/inference.md (70): a steady motion is at the frequency that its excitation gives it. Why it is not, in
+  // words; empty: it is.
+  std::string off_its_line(const Record& record, SampleRange range, Index length,
+                           const std::vector<Observation>& found) const {
+    if (!modes_.free.empty()) return {};
+    const MatrixXd samples = samples_of(record, projection_.channels, range.first, range.count);
+    for (std::size_t k = 0; k < model_.modes(); ++k) {
+      if (!modes_.oscillates[k]) continue;
+      const VectorXd motion = samples * projection_.matrix.row(static_cast<Index>(k)).transpose();
+      const Eigen::Map<const MatrixXd> windows(motion.data(), length, std::ssize(found));
+      const double frequency = found.front().rate[k].imag();
+      const LineOffset line =
+          line_offset(windows, record.sample_rate_hz, frequency, measure_thresholds().largest_detuning);
+      double power = 0;
+      for (const Observation& o : found) power += std::norm(o.amplitude[k]) / std::pow(o.amplitude_sd[k], 2);
+      if (lost_by_turn(line.turn) > measure_thresholds().dwell_drift &&
+          line.resolved * chi_squared_upper_tail(line.gain * power, 2 * static_cast<double>(found.size())) <
+              measure_thresholds().motion_false_alarm)
+        return fmt::format(
+            "its response is at {:.5g} Hz and not at the {:.5g} Hz that the excitation gives it: the channels' "
+            "clocks "
+            "differ, rows of one channel are missing or doubled, or the motion is another one",
+            (frequency + line.turn * record.sample_rate_hz / static_cast<double>(length)) / two_pi,
+            frequency / two_pi);
+    }
+    return {};
   }
 
   // What the row lacks, in words; empty: nothing.

@@ -205,7 +205,7 @@ TEST_F(SlowDecaysInOnePiece, AreAsSharpAsTheirSamplesAllow) {
     // Squares add up to chi-squared with as many degrees of freedom, of 32 draws below 66.6 but for 0.03 %.
     EXPECT_LT(rms, std::sqrt(66.6 / draws)) << names[p];
     EXPECT_GT(sd, 0.95) << names[p];
-    // A tenth more by (43), a tenth by (67), and by (70) the root of 1 + 0.48 b^2 where a law that is told apart
+    // A tenth more by (43), a tenth by (67), and by (76) the root of 1 + 0.48 b^2 where a law that is told apart
     // from the model's moves a number by b = 2 of its deviations for each of its own.
     EXPECT_LT(sd, 1.1 * 1.1 * std::sqrt(1 + 0.48 * 4)) << names[p];
   }
