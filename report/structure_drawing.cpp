@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -35,6 +36,9 @@ class Drawing {
   explicit Drawing(const StructureDrawing& drawing) : drawing_(drawing) {
     if (drawing.points.empty() || drawing.points.size() != drawing.motion.size())
       throw std::invalid_argument("structure drawing: sizes differ, or no points");
+    if (drawing.id.empty() || !std::all_of(drawing.id.begin(), drawing.id.end(),
+                                           [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }))
+      throw std::invalid_argument("structure drawing: SMIL cannot read the id " + drawing.id);
     for (const std::vector<std::size_t>& line : drawing.lines)
       for (const std::size_t point : line)
         if (point >= drawing.points.size())
@@ -62,7 +66,10 @@ class Drawing {
     const SvgFrame frame{drawing_.title, static_cast<int>(drawing_width), static_cast<int>(std::ceil(height_)),
                          FigureUse::inline_html};
     std::string text = svg_head(frame);
-    text += fmt::format("<g id=\"{}\" fill=\"none\" cursor=\"pointer\">\n", drawing_.id);
+    text += fmt::format(
+        "<g id=\"{}\" fill=\"none\" cursor=\"pointer\" tabindex=\"0\" role=\"button\" aria-label=\"set it "
+        "going\">\n",
+        drawing_.id);
     text += fmt::format("<rect width=\"{}\" height=\"{:.0f}\" fill-opacity=\"0\" pointer-events=\"all\"/>\n",
                         drawing_width, height_);
     text += svg_text(8, 20, drawing_.title, "start", "font-size=\"14\" font-weight=\"600\"");
@@ -139,7 +146,8 @@ class Drawing {
         fmt::format("<polyline points=\"{}\" stroke=\"{}\" {}", points_of(line, share, phase), paint, look);
     if (!in_motion) return text + "/>\n";
     text += fmt::format(
-        "><animate attributeName=\"points\" begin=\"{}.click\" dur=\"1.25s\" repeatCount=\"8\" values=\"",
+        "><animate attributeName=\"points\" begin=\"{0}.click;{0}.keypress\" restart=\"whenNotActive\" "
+        "dur=\"1.25s\" repeatCount=\"8\" values=\"",
         drawing_.id);
     for (int frame = 0; frame <= frames; ++frame)
       text += (frame ? ";" : "") + points_of(line, share, phase + 2 * std::numbers::pi * frame / frames);

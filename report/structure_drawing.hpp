@@ -12,7 +12,7 @@ namespace secular::report {
 /// them.
 struct StructureDrawing {
   std::string title;                                        ///< also the accessible name
-  std::string id;                                           ///< of the page's elements: letters, digits, dashes
+  std::string id;                                           ///< of the page's element: letters, digits, underscores; SMIL reads a dash as a minus
   std::vector<std::array<double, 3>> points;                ///< at rest
   std::vector<std::array<std::complex<double>, 3>> motion;  ///< of each point, in any one scale
   std::vector<std::vector<std::size_t>> lines;              ///< points along each

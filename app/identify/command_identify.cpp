@@ -195,9 +195,11 @@ void add_identify_command(CLI::App* command, Action& chosen) {
           "--by", options->by,
           "full-equations: of motion, all kinds of records in one likelihood (sweeps, broadband records and "
           "impacts need them, and choose them); modulation-equations: of the resonance cases, dwells and "
-          "free decays alone")
-      ->check(CLI::IsMember({"full-equations", "modulation-equations"}))
-      ->option_text("full-equations|modulation-equations");
+          "free decays alone; both-equations: free decays by the modulation equations, refined by those of motion "
+          "where "
+          "these hold all along them")
+      ->check(CLI::IsMember({"full-equations", "modulation-equations", "both-equations"}))
+      ->option_text("full-equations|modulation-equations|both-equations");
   options->selection.add_to(*command);
   command->add_option(
       "--fix", options->fixed,
@@ -212,8 +214,7 @@ void add_identify_command(CLI::App* command, Action& chosen) {
   command->callback([options, command, &chosen] {
     chosen = [options, command] {
       parse_fixed(*options);
-      if (!options->by.empty())
-        options->request.by = options->by == "full-equations" ? Equations::full : Equations::modulation;
+      if (!options->by.empty()) options->request.by = equations_named(options->by);
       options->output.check(
           {{"the campaign", options->campaign, true}, {"the model", options->request.model, false}});
       options->request.window = options->selection.window();

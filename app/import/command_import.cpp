@@ -35,6 +35,10 @@ void print_text(const ImportRun& run, const std::string& folder) {
     fmt::print("{}: '{}' in the file, {} in the campaign\n", channel.name, channel.from_unit, channel.to_unit);
   if (!imported.left_out.empty())
     fmt::print("left out, since no --channel names them: {}\n", fmt::join(imported.left_out, ", "));
+  if (campaign.geometry)
+    fmt::print("geometry: {} points, {} lines; {} of {} responses have a place\n", campaign.geometry->points.size(),
+               campaign.geometry->lines.size(), campaign.geometry->sensors.size(),
+               channels_of(campaign, ChannelRole::response).size());
   fmt::print("Next: secular inspect {}\n", folder);
 }
 

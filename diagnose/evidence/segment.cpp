@@ -160,17 +160,18 @@ class Cutter {
   }
 
   // The measured motion from one of the starts, times within `record`, and what drives it.
-  Segment segment(const Movement& m, const Record& record, Index begin, Index length) const {
+  Segment segment(const Movement& m, const Record& record, Index begin, Index length,
+                  const Eigen::VectorXd& noise) const {
     Segment segment;
     if (cut_.whole_decays && !m.driven) segment.folds = folds_of_a_record;
     segment.sample_s = 1 / m.thinned_rate();
     segment.zeros_below_hz = zero_share * lowest_ / two_pi;
-    segment.substeps =
-        std::max(1, static_cast<int>(std::ceil(wanted_steps * highest_ / two_pi / m.thinned_rate())));
     segment.response.resize(responses_, length);
     const Index offset = m.first + begin * m.thinning;
     for (Index i = 0; i < length; ++i)
       segment.response.col(i) = m.part.samples.row(offset + i * m.thinning).head(responses_).transpose();
+    const double steps = segment.folds > 1 ? std::max(wanted_steps, steps_of_whole(segment, noise)) : wanted_steps;
+    segment.substeps = std::max(1, static_cast<int>(std::ceil(steps * highest_ / two_pi / m.thinned_rate())));
     segment.in_record_s =
         m.part.start_s - record.start_s + static_cast<double>(offset + length * m.thinning / 2) / m.rate_hz;
     if (m.driven) segment.excitation = excitation(m, offset, length);
@@ -181,6 +182,20 @@ class Cutter {
   std::nullopt_t left_out(const RecordEntry& entry, const std::string& why) {
     warnings_.push_back(entry.file + ": " + why + ", left out");
     return std::nullopt;
+  }
+
+  // Steps in a turn with which the integrator moves a frequency by a tenth of what the noise of a whole decay, and
+  // of the others like it, leaves of it: docs/inference.md (60).
+  double steps_of_whole(const Segment& segment, const Eigen::VectorXd& noise) const {
+    constexpr double most = 1000;  // beyond them rounding is larger
+    const MatrixXd moved = segment.response.colwise() - segment.response.rowwise().mean();
+    const Eigen::RowVectorXd weight = (noise.cwiseInverse().asDiagonal() * moved).colwise().squaredNorm();
+    const Eigen::RowVectorXd time =
+        Eigen::RowVectorXd::LinSpaced(weight.size(), 0, segment.sample_s * static_cast<double>(weight.size() - 1));
+    const double sum = weight.sum(), mean = sum > 0 ? weight.dot(time) / sum : 0;
+    const double information =
+        static_cast<double>(records_) * (weight.array() * (time.array() - mean).square()).sum();
+    return std::min(most, two_pi * std::pow(highest_ * std::sqrt(information) / 12, 0.25));
   }
 
   // Of a free decay: from its start on, thinned to what its modes need.
@@ -220,8 +235,8 @@ class Cutter {
   }
 
   // Samples of a decay in one piece, of which `length` are a few turns: to the end of the last few that hold more
-  // than noise (chi-squared at three standard deviations), and a few turns more, which tell where it came to rest. A
-  // model that holds tells the motion far below the noise of one sample.
+  // than noise (chi-squared at three standard deviations), and a few turns more, which tell where it came to rest.
+  // A model that holds tells the motion far below the noise of one sample.
   Index length_to_rest(const Movement& m, Index length, const Eigen::VectorXd& noise) const {
     const double most = 1 + 3 * std::sqrt(2 / static_cast<double>(length));
     const Index pieces = m.available() / length;
@@ -335,7 +350,7 @@ std::vector<Segment> cut_segments(const Campaign& campaign, const RecordReader& 
                           excitation_noise = cutter.excitation_noise(entry, *movement);
     int number = 0;
     for (const Index begin : cutter.starts(*movement, length, noise, excitation_noise, records.size())) {
-      Segment segment = cutter.segment(*movement, record, begin, length);
+      Segment segment = cutter.segment(*movement, record, begin, length, noise);
       segment.record = r;
       segment.fold = static_cast<int>(r) + fold_step * (1 + number++ % folds_of_a_record);
       segment.time_s = began[r] + segment.in_record_s;

@@ -128,7 +128,7 @@ LackOfFit lack_of_parts(const PartsOfDecays& parts, std::size_t decays) {
   if (parts.only_records_differ()) {
     test.name = "numbers from decay to decay";
   } else if (parts.laws.is_seen()) {
-    test.name = "laws of the amplitude, likeliest " + parts.laws.likeliest;
+    test.name = "laws of the amplitude";
     test.f = parts.laws.deviations * parts.laws.deviations;
     test.misfit_ratio = parts.laws.deviations;
     test.beyond = test.f - 1;
@@ -142,9 +142,10 @@ LackOfFit lack_of_parts(const PartsOfDecays& parts, std::size_t decays) {
 std::string warning_of(const PartsOfDecays& parts) {
   if (parts.laws.is_seen() && !parts.only_records_differ())
     return fmt::format(
-        "a law that the model lacks shows along the decays, likeliest {} ({:.2g} standard deviations, p = {:.2g}); "
-        "error bars allow for as much that the numbers have taken up",
-        parts.laws.likeliest, parts.laws.deviations, parts.p_value());
+        "a law of the amplitude that the model lacks shows along the decays ({:.2g} standard deviations, p = "
+        "{:.2g}); "
+        "error bars allow for as much that the numbers have taken up, and `secular diagnose` tells which law it is",
+        parts.laws.deviations, parts.p_value());
   return fmt::format(
       "parts of the decays tell numbers that differ by {:.3g} times what noise explains (p = {:.2g}): a law that "
       "the "

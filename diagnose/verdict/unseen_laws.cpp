@@ -25,12 +25,9 @@ constexpr double least_left = 0.1;
 struct Law {
   bool of_damping;
   int power;
-  const char* name;
 };
-constexpr std::array laws{
-    Law{true, -1, "dry friction"},    Law{true, 1, "quadratic damping"},
-    Law{true, 2, "cubic damping"},    Law{false, 1, "stiffness that grows with the amplitude"},
-    Law{false, 2, "cubic stiffness"}, Law{false, 4, "quintic stiffness"}};
+// Dry friction, quadratic and cubic damping; stiffness that grows with the amplitude, cubic and quintic stiffness.
+constexpr std::array laws{Law{true, -1}, Law{true, 1}, Law{true, 2}, Law{false, 1}, Law{false, 2}, Law{false, 4}};
 
 // Of a decay's computed reading: the part that grows with the amplitude, and that which a later motion adds.
 struct Motion {
@@ -124,7 +121,6 @@ UnseenLaws unseen_laws(const Comparison& comparison, const Refit& in_time, doubl
     const double p = 2 * normal_upper_tail(deviations);
     if (p >= least_p) continue;
     least_p = p;
-    result.likeliest = laws[l].name;
     result.deviations = deviations;
   }
   result.p_value = std::min(1.0, tried * least_p);

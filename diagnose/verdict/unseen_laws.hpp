@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 
 #include "diagnose/inference/refit.hpp"
 #include "diagnose/verdict/comparison.hpp"
@@ -10,8 +9,7 @@ namespace secular {
 
 /// What a law of the amplitude that a model of one mode lacks may have moved the numbers of decays by.
 struct UnseenLaws {
-  std::string likeliest;  ///< "a^2 in the damping"; empty: none is told apart from the model's own
-  double deviations = 0;  ///< of that law's strength from zero, in standard deviations
+  double deviations = 0;  ///< of the clearest law's strength from zero, in standard deviations
   double p_value = 1;     ///< all laws that were tried allowed for
   Eigen::VectorXd moved;  ///< by free unknown, the largest of all laws
 

@@ -65,7 +65,7 @@ std::string against_fit(const FullEstimate& full, const Estimate& estimate, cons
 // What is wrong with the estimate by the modulation equations; empty: nothing.
 std::string against_estimate(const Estimate& estimate) {
   for (const EstimatedValue& value : estimate.parameters)
-    if (value.misfit > 0) return "the modulation equations do not hold";
+    if (value.misfit > 0 || value.doubtful) return "the modulation equations do not hold";
   return scatter_lines(estimate).empty() ? "" : "natural frequencies differ from record to record";
 }
 
@@ -92,7 +92,8 @@ void allow_for(EstimatedValue& value, const EstimatedValue& other, double hidden
   const double apart = other.value ? *value.value - *other.value : 0,
                beyond = std::sqrt(std::max(0.0, apart * apart - value.sd * value.sd - other.sd * other.sd)),
                misfit = std::hypot(hidden, beyond);
-  value.doubtful = value.doubtful || misfit > 2 * value.sd;
+  if (misfit > 2 * value.sd)
+    doubt(value, "along the decays the full equations show that it may be off by more than its error bar");
   value.misfit = std::hypot(value.misfit, misfit);
   value.sd = std::hypot(value.sd, 0.5 * misfit);
 }
@@ -167,6 +168,10 @@ void follow_again(const IdentificationRequest& request, Identification& id) {
 // The fit that the refinement rests on; none, with the reason noted, where there cannot be one.
 std::optional<FullEstimate> fit_of(IdentificationRequest request, const Identification& id,
                                    const std::set<std::size_t>& observed, DecayRefinement& refinement) {
+  if (id.model->modes() > 1) {
+    refinement.why_not = "of several modes no laws are tried that the model may lack (docs/inference.md (76))";
+    return {};
+  }
   if (request.window.band) {
     refinement.why_not = "noise of samples that have passed a band is not white";
     return {};
@@ -185,13 +190,6 @@ std::optional<FullEstimate> fit_of(IdentificationRequest request, const Identifi
 }
 
 }  // namespace
-
-bool refines_decays(const IdentificationRequest& request, const Campaign& campaign) {
-  if (request.by || !request.resonances.empty() || request.bootstrap > 0 || request.refine) return false;
-  const std::set<std::size_t> records = records_within(campaign, request.window);
-  return std::all_of(records.begin(), records.end(),
-                     [&](std::size_t r) { return campaign.records[r].kind == RecordKind::free_decay; });
-}
 
 void refine_decays(const IdentificationRequest& request, Identification& id) {
   DecayRefinement& refinement = id.refinement.emplace();

@@ -9,7 +9,6 @@ namespace secular {
 
 struct Identification;
 struct IdentificationRequest;
-struct Campaign;
 
 /// What the full equations of motion, fitted to free decays in one piece each, make of the numbers that the
 /// modulation equations give (docs/inference.md (65) to (69)).
@@ -21,10 +20,6 @@ struct DecayRefinement {
 
   bool is_taken() const { return why_not.empty(); }
 };
-
-/// Whether the estimate of this campaign is refined: its user leaves the equations to the program, and every record
-/// of the window is a free decay.
-bool refines_decays(const IdentificationRequest& request, const Campaign& campaign);
 
 /// Fits the full equations from the estimate in `id` on and notes in `id.refinement` what came of it. Where the fit
 /// holds, the parameters become its own; where it contradicts them, they are allowed what they differ by, and a

@@ -24,8 +24,12 @@ namespace secular {
 /// The equations that numbers come from.
 enum class Equations {
   modulation,  ///< of each resonance case: dwells, free decays, tables of lines
-  full         ///< of motion: records of any kind, in one likelihood
+  full,        ///< of motion: records of any kind, in one likelihood
+  both         ///< of each resonance case, and from there of motion: free decays alone
 };
+
+/// As --by names them: "full-equations", "modulation-equations", "both-equations".
+Equations equations_named(const std::string& name);
 
 struct IdentificationRequest {
   std::string model;                    ///< as ModelSource takes it

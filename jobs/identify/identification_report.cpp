@@ -340,7 +340,14 @@ std::string identification_report(const Identification& id, const Figure& respon
       "Standard deviations have two parts: by noise, from the scatter between test conditions, and what is left "
       "open, the bias that the expansion's truncation may have where entangled parameters act beyond it (another "
       "measurement of the same kind would not change that part).");
-  if (id.refinement) page.paragraph("Numbers are " + text_of(*id.refinement) + ".");
+  if (id.refinement) {
+    page.paragraph("Numbers are " + text_of(*id.refinement) + ".");
+    if (id.refinement->is_taken())
+      page.paragraph(
+          "Their noise is that of the samples. Standard deviations hold beside it what parts of the decays differ "
+          "by, "
+          "and what laws too weak to be seen could move. Lumps are those of the modulation equations.");
+  }
   add_values(page, id.estimate, false, frequencies);
   if (id.refinement) add_refinement(page, *id.refinement);
   add_following(page, id);

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,9 +50,16 @@ std::vector<std::string> options_of_modulation(const IdentificationRequest& requ
 Equations equations_of(const IdentificationRequest& request, const Campaign& campaign,
                        std::vector<std::string>& left_out) {
   const std::vector<std::string> of_modulation = options_of_modulation(request);
-  if (request.by == Equations::full && !of_modulation.empty())
+  if ((request.by == Equations::full || request.by == Equations::both) && !of_modulation.empty())
     throw InputError(of_modulation.front(), "", "is of the modulation equations",
                      "leave it out, or --by modulation-equations");
+  if (request.by == Equations::both) {
+    const std::set<std::size_t> records = records_within(campaign, request.window);
+    for (const std::size_t r : records)
+      if (campaign.records[r].kind != RecordKind::free_decay)
+        throw InputError("--by both-equations", "", campaign.records[r].file + " is no free decay",
+                         "free decays alone are refined: choose them with --records");
+  }
   if (request.by) return *request.by;
   if (of_modulation.empty()) return equations_for(campaign, request.window);
   const std::set<std::size_t> all = records_within(campaign, request.window),
@@ -68,16 +77,37 @@ Equations equations_of(const IdentificationRequest& request, const Campaign& cam
   return Equations::modulation;
 }
 
+// Excitations behind those that the model has (excitation_channels takes the first ones).
+void warn_of_unused_excitations(Identification& id) {
+  const std::vector<std::size_t> given = channels_of(id.campaign, ChannelRole::excitation);
+  const std::size_t used = id.model->excitations.size();
+  if (used == 0 || given.size() <= used) return;
+  std::vector<std::string> names;
+  for (std::size_t j = used; j < given.size(); ++j) names.push_back(id.campaign.channels[given[j]].name);
+  id.estimate.warnings.insert(
+      id.estimate.warnings.begin(),
+      fmt::format("the model has {} excitation{}; of the channels that excite, {} is not used", used,
+                  used == 1 ? "" : "s", fmt::join(names, ", ")));
+}
+
 }  // namespace
+
+Equations equations_named(const std::string& name) {
+  if (name == "full-equations") return Equations::full;
+  if (name == "both-equations") return Equations::both;
+  if (name == "modulation-equations") return Equations::modulation;
+  throw std::invalid_argument("no equations are called " + name);
+}
 
 Identification identify(const IdentificationRequest& request, const Campaign& campaign) {
   std::vector<std::string> left_out;
-  const bool full = equations_of(request, campaign, left_out) == Equations::full;
-  Identification id =
-      full ? identify_by_full_equations(request, campaign) : identify_by_modulation(request, campaign);
-  if (!full && refines_decays(request, campaign)) refine_decays(request, id);
+  const Equations by = equations_of(request, campaign, left_out);
+  Identification id = by == Equations::full ? identify_by_full_equations(request, campaign)
+                                            : identify_by_modulation(request, campaign);
+  if (by == Equations::both) refine_decays(request, id);
   std::vector<std::string>& warnings = id.estimate.warnings;
   warnings.insert(warnings.begin(), left_out.begin(), left_out.end());
+  warn_of_unused_excitations(id);
   id.mostly_left_out = lost_records(id, request.window);
   id.following = following_estimates(
       [source = ModelSource(request.model, request.interpret, {})](const std::map<std::string, double>& values) {

@@ -171,8 +171,8 @@ constexpr const char* stabilisation_caption =
 constexpr const char* shape_caption = "Normal modes lie on the real axis. Bars: two standard deviations.";
 
 constexpr const char* drawing_caption =
-    "Solid and dashed: both ends of the motion; grey: at rest. Points without a sensor do not move. A click sets it "
-    "going.";
+    "Solid and dashed: both ends of the motion; grey: at rest. Points without a sensor do not move. A click, or Enter, "
+    "sets it going for ten seconds.";
 
 constexpr std::size_t most_amplitude_figures = 6;
 
@@ -353,7 +353,7 @@ void add_drawings(report::HtmlReport& page, const ModalSurvey& survey) {
     const SurveyMode& mode = survey.modes[r];
     report::StructureDrawing drawing;
     drawing.title = fmt::format("{}: {} Hz", mode_name(r), report::format_number(mode.natural_frequency_hz, 4));
-    drawing.id = "structure-" + mode_name(r);
+    drawing.id = "structure_" + mode_name(r);
     for (const Geometry::Point& point : geometry.points) drawing.points.push_back(point.at);
     drawing.motion.resize(geometry.points.size());
     drawing.lines = geometry.lines;

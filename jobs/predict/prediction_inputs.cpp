@@ -45,7 +45,10 @@ void check_combination(const PredictionRequest& request, const Prediction& predi
   if (!excited) return;
   if (!request.vary)
     throw InputError("--vary", "", "is missing",
-                     "name a parameter and its range, for example --vary Omega 150 160");
+                     prediction.model->excitations.empty()
+                         ? "name a parameter and its range, for example --vary mu 0.05 0.5; in a case that says "
+                           "excitation = false limit cycles are computed without it"
+                         : "name a parameter and its range, for example --vary Omega 150 160");
   if (request.curve.empty() != !request.against)
     throw InputError("--curve, --against", "", "one is given without the other",
                      "for example --vary Omega 150 160 --against F 5 30 --curve saddle_node");

@@ -327,7 +327,8 @@ ImportedCampaign import_files(const ImportOptions& options, const RecordSink& si
   Campaign& campaign = imported.campaign;
   campaign.name = options.name.empty() ? options.files.front().stem().string() : options.name;
   for (const DescribedChannel& described : sources.front().channels) campaign.channels.push_back(described.channel);
-  campaign.geometry = import_geometry(options.geometry, options.files.front(), sources.front().channels, variables);
+  campaign.geometry = import_geometry(options.geometry, options.files.front(), sources.front().channels, variables,
+                                      imported.warnings);
   note_variables(variables, sources, imported);
   std::set<std::string> taken;
   for (std::size_t f = 0; f < sources.size(); ++f) {

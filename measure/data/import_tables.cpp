@@ -71,9 +71,7 @@ Variables with_described(Variables variables, const ImportOptions& options) {
   return variables;
 }
 
-}  // namespace
-
-ImportedCampaign import_tables(const ImportOptions& options, const TableSink& sink) {
+void check_options(const ImportOptions& options) {
   if (options.files.empty()) throw InputError("FILE", "", "no file is named", "name the files to import");
   if (!options.time.empty() || options.sample_rate_hz || options.ensemble_s || !options.frequencies_hz.empty())
     throw InputError(
@@ -81,6 +79,12 @@ ImportedCampaign import_tables(const ImportOptions& options, const TableSink& si
         "a table of lines has none: leave them out; its frequencies are a column (--column f=VARIABLE)");
   if (!options.geometry.empty())
     throw InputError("--geometry", "", "is for `secular modal`, which reads no tables", "leave it out");
+}
+
+}  // namespace
+
+ImportedCampaign import_tables(const ImportOptions& options, const TableSink& sink) {
+  check_options(options);
   TableRequest request;
   request.convention = convention_in(options.table);
   request.words = {"write --phases deg or --phases rad", "name it with --column {}=VARIABLE",

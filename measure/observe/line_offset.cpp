@@ -36,6 +36,20 @@ double power_at(const MatrixXd& tapered, double step) {
   return sum;
 }
 
+// Of lines about the one in the middle: the strongest within a bin of it where it is a line by itself (of a Hann
+// window it has a quarter of its power left a bin away; beside another tone's it falls on one side alone), else the
+// strongest of all.
+Index own_or_strongest(const VectorXd& power, Index middle) {
+  Index strongest = middle;
+  power.maxCoeff(&strongest);
+  if (middle < 2 * lines_in_a_bin) return strongest;
+  Index own = middle;
+  power.segment(middle - lines_in_a_bin, 2 * lines_in_a_bin + 1).maxCoeff(&own);
+  own += middle - lines_in_a_bin;
+  const double beside = std::max(power(own - lines_in_a_bin), power(own + lines_in_a_bin));
+  return beside < 0.5 * power(own) ? own : strongest;
+}
+
 }  // namespace
 
 LineOffset line_offset(const Eigen::Ref<const MatrixXd>& windows, double sample_rate_hz, double frequency,
@@ -49,8 +63,7 @@ LineOffset line_offset(const Eigen::Ref<const MatrixXd>& windows, double sample_
   const double line = bin / lines_in_a_bin;
   VectorXd power(2 * most + 1);
   for (int n = -most; n <= most; ++n) power(n + most) = power_at(tapered, here + n * line);
-  Index strongest = most;
-  power.maxCoeff(&strongest);
+  const Index strongest = own_or_strongest(power, most);
   double at = static_cast<double>(strongest);
   if (strongest > 0 && strongest < 2 * most) {  // the vertex of a parabola through logarithms
     const double before = std::log(power(strongest - 1)), peak = std::log(power(strongest)),

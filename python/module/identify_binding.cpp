@@ -37,7 +37,7 @@ IdentificationRequest request_of(const std::string& model, const py::dict& optio
   request.interpret = options["interpret"].cast<bool>();
   request.window = window_of(options);
   if (const auto by = options["by"].cast<std::optional<std::string>>())
-    request.by = *by == "full-equations" ? Equations::full : Equations::modulation;
+    request.by = equations_named(*by);
   return request;
 }
 

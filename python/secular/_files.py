@@ -236,9 +236,10 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
     kind: of all records ("dwell", "sweep", "free_decay", "impact", "broadband"), or "lines": tables of lines. channels:
     Channel, or "NAME[=VARIABLE]:ROLE[:QUANTITY:UNIT[:FACTOR]]". folder: where the campaign is written (replace: over
     one that stands there); in memory alone without it. time: the variable that holds it; sample_rate_hz: where none
-    does. frequency_hz, amplitude: of dwells, nominal, one or one a file. columns, amplitudes, phases, phase_sign,
-    phase_offset_deg, per_excitation, frequency_unit: of tables of lines, as `secular import --help` has them. Raises
-    InputError, which says what a file cannot tell by the name of the argument.
+    does. geometry: a universal file with nodes, for drawings of modes. frequency_hz, amplitude: of dwells, nominal,
+    one or one a file. columns, amplitudes, phases, phase_sign, phase_offset_deg, per_excitation, frequency_unit: of
+    tables of lines, as `secular import --help` has them. Raises InputError, which says what a file cannot tell by the
+    name of the argument.
     """
     given = _given_channels(channels)
 
@@ -247,7 +248,8 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
 
     options = dict(files=_files(files), kind=_checks.text("kind", kind), channels=[_channel_text(c) for c in given],
                    absolute=[c.name for c in given if isinstance(c, Channel) and c.frame == "absolute"],
-                   time=text("time", time), name=text("name", name), group=text("group", group), geometry="" if geometry is None else _checks.path("geometry", geometry),
+                   time=text("time", time), name=text("name", name), group=text("group", group),
+                   geometry="" if geometry is None else _checks.path("geometry", geometry),
                    sample_rate_hz=_checks.optional(_checks.positive, "sample_rate_hz", sample_rate_hz),
                    frequency_hz=_checks.reals("frequency_hz", frequency_hz),
                    amplitude=_checks.reals("amplitude", amplitude),

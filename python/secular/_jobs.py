@@ -235,7 +235,7 @@ def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     """Estimates of a model's parameters; what `secular identify` does.
 
     case: names of cases, chosen from the records without it. fix: symbol to known value. by: "full-equations" or
-    "modulation-equations", chosen from the records without it. records: shell pattern of files to use; band_hz: (low,
+    "modulation-equations", chosen from the records without it; "both-equations" refines free decays. records: shell pattern of files to use; band_hz: (low,
     high); from_s, to_s: the part of every record to use, s of its own time. refine: maximum likelihood with errors in
     everything measured. bootstrap: resamples of the conditions, with `seed`. threads: all without it, the result does
     not depend on it. interpret: no compiled code. Raises InputError; a failure of the computation is the result's
@@ -243,7 +243,8 @@ def identify(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
     """
     options = dict(_checks.selection(records, band_hz, from_s, to_s, threads, interpret),
                    cases=_checks.names("case", case), fix=_checks.numbers_by_symbol("fix", fix),
-                   by=_checks.optional(_checks.one_of, "by", by, "full-equations", "modulation-equations"),
+                   by=_checks.optional(_checks.one_of, "by", by, "full-equations", "modulation-equations",
+                                        "both-equations"),
                    refine=_checks.flag("refine", refine), bootstrap=_checks.whole("bootstrap", bootstrap, 0, 100000),
                    seed=_checks.seed(seed))
     try:

@@ -123,7 +123,8 @@ Json named(const Json& estimate, const std::string& name) {
 
 TEST_F(DecaysInOnePiece, RefineTheModulationEquationsWhereTheyHold) {
   ASSERT_NO_FATAL_FAILURE(simulate(Swing(), noise_sd, 2));
-  const Json estimate = identified("model.toml"), rough = identified("model.toml", "--by modulation-equations"),
+  const Json estimate = identified("model.toml", "--by both-equations"),
+             rough = identified("model.toml", "--by modulation-equations"),
              full = identified("model.toml", "--by full-equations");
   ASSERT_TRUE(estimate.is_object()) << printed();
   EXPECT_TRUE(estimate["quality"]["refinement"]["taken"].get<bool>());
@@ -140,10 +141,10 @@ TEST_F(DecaysInOnePiece, RefineTheModulationEquationsWhereTheyHold) {
   }
 }
 
-TEST_F(DecaysInOnePiece, SayByThemselvesThatAModelWithoutItsFrictionDoesNotHold) {
+TEST_F(DecaysInOnePiece, SayByBothThatAModelWithoutItsFrictionDoesNotHold) {
   ASSERT_NO_FATAL_FAILURE(simulate(Swing(), noise_sd, 1));
   write_model("without.toml", "");
-  const Json estimate = identified("without.toml");
+  const Json estimate = identified("without.toml", "--by both-equations");
   ASSERT_TRUE(estimate.is_object()) << printed();
   EXPECT_FALSE(estimate["quality"]["refinement"]["taken"].get<bool>());
   const Json& tests = estimate["quality"]["lack_of_fit"];
@@ -170,7 +171,8 @@ TEST_F(DecaysInOnePiece, LeaveTheModulationEquationsWhereAToneStandsBesideTheMot
   }
   in.close();
   std::ofstream(file) << all;
-  const Json estimate = identified("model.toml"), rough = identified("model.toml", "--by modulation-equations");
+  const Json estimate = identified("model.toml", "--by both-equations"),
+             rough = identified("model.toml", "--by modulation-equations");
   ASSERT_TRUE(estimate.is_object()) << printed();
   EXPECT_FALSE(estimate["quality"]["refinement"]["taken"].get<bool>());
   EXPECT_EQ(estimate["estimates"], rough["estimates"]);
@@ -185,7 +187,7 @@ TEST_F(SlowDecaysInOnePiece, AreAsSharpAsTheirSamplesAllow) {
   int held = 0, alarms = 0;
   for (int draw = 0; draw < draws; ++draw) {
     ASSERT_NO_FATAL_FAILURE(simulate(Swing(), noise_sd, 100 + draw));
-    const Json estimate = identified("model.toml");
+    const Json estimate = identified("model.toml", "--by both-equations");
     ASSERT_TRUE(estimate.is_object()) << printed();
     alarms += estimate["quality"]["lack_of_fit"][0]["significant"].get<bool>();
     for (Index p = 0; p < parameters; ++p) {

@@ -90,7 +90,7 @@ TEST(Help, BashOffersCommandsOptionsValuesAndModels) {
   EXPECT_EQ(offered(script, "secular de"), "derive");
   EXPECT_EQ(offered(script, "secular blind ge"), "generate");
   EXPECT_EQ(offered(script, "secular blind generate --set \"\""), "short full");
-  EXPECT_EQ(offered(script, "secular identify c --by \"\""), "full-equations modulation-equations");
+  EXPECT_EQ(offered(script, "secular identify c --by \"\""), "full-equations modulation-equations both-equations");
   EXPECT_EQ(offered(script, "secular identify c --model mathieu"), "mathieu_duffing");
   EXPECT_EQ(offered(script, "secular derive pend"), "pendulum");
   EXPECT_EQ(offered(script, "secular derive pendulum --case pend"), "");

@@ -76,7 +76,7 @@ TEST_P(PlainRecords, EndWithAResultOrAMessage) {
 
 const PlainRecord plain_records[] = {
     {"whirl", [](int k) { return std::sin(phase(k)); }, [](int k) { return std::cos(phase(k)); }, 0,
-     "the squares of its shape cancel"},
+     "the squares of the shape cancel"},
     {"constant", [](int) { return 3.0; }, [](int) { return -1.0; }, 2, "too short"},
     {"one_of_many", [](int k) { return k == 0 ? 1.0 : 0.0; }, [](int) { return 0.0; }, 1, "no mode stands"},
     {"exponential", [](int k) { return std::exp(0.1 * k); }, [](int k) { return std::exp(-0.1 * k); }, 2,

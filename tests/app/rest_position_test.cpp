@@ -23,7 +23,7 @@ class LoadedSpring : public testing::Test {
     fs::create_directories(folder_);
     const std::string page = text_of(testing_support::source_folder() / "docs" / "new_resonance_case.md");
     const std::size_t section = page.find("## A rest position that is not zero"),
-                      begin = page.find("```toml\n", section) + 8, end = page.find("```", begin);
+                      begin = page.find('\n', page.find("```toml", section)) + 1, end = page.find("```", begin);
     write("spring.toml", page.substr(begin, end - begin));
   }
   void TearDown() override { fs::remove_all(folder_); }

@@ -48,6 +48,21 @@ TEST(LineOffset, IsThePhaseThatALineGains) {
   }
 }
 
+// Hum beside the motion, near or far, weaker or stronger: whether more than 1 % is lost is decided as without it.
+TEST(LineOffset, AStrongerToneBesideALineIsNotItsMotion) {
+  for (const double own : {0.0, 3.0})
+    for (const double bins : {3.3, -5.0, 9.5})
+      for (const double strength : {0.3, 2.0, 4.0}) {
+        Eigen::MatrixXd windows = windows_of(own);
+        const double w = line_frequency / line_rate + 2 * std::numbers::pi * bins / 512;
+        for (Eigen::Index i = 0; i < windows.size(); ++i)
+          windows(i % 512, i / 512) += strength * std::cos(w * static_cast<double>(i) + 1);
+        const LineOffset line = line_offset(windows, line_rate, line_frequency, 0.15);
+        EXPECT_EQ(lost_by_turn(line.turn) > 0.01, own > 0)
+            << own << ' ' << bins << ' ' << strength << ' ' << line.turn;
+      }
+}
+
 TEST(LineOffset, WhatATurnLosesIsTheMeanOfTurnedPhases) {
   for (const double turn : {0.0, 0.5, 3.0, 20.0}) {
     std::complex<double> mean = 0;

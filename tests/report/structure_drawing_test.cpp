@@ -21,7 +21,7 @@ std::size_t times(const std::string& text, const std::string& part) {
 StructureDrawing cantilever() {
   StructureDrawing drawing;
   drawing.title = "v1 & <tip>";
-  drawing.id = "structure-v1";
+  drawing.id = "structure_v1";
   drawing.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   drawing.motion = {{}, {{{0, 0}, {0, 0}, {0.3, 0}}}, {{{0, 0}, {0, 0}, {1, 0}}}};
   drawing.lines = {{0, 1, 2}};
@@ -34,6 +34,7 @@ TEST(StructureDrawing, ShowsBothEndsOfTheMotionAndMovesByItself) {
   EXPECT_EQ(times(svg, "<circle"), 3u);
   EXPECT_EQ(times(svg, "<polyline"), 3u + 2u);  // rest, two ends; a stem for each point that moves
   EXPECT_EQ(times(svg, "<animate"), 1u + 2u);
+  EXPECT_EQ(times(svg, "begin=\"structure_v1.click;structure_v1.keypress\""), 1u + 2u);
   EXPECT_EQ(times(svg, "<script"), 0u);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   // One period: the first frame is the last one.
@@ -67,6 +68,9 @@ TEST(StructureDrawing, NothingMovesOrOnePointIsDrawnToo) {
   one.lines = {{0, 1}};
   EXPECT_THROW(structure_drawing(one), std::invalid_argument);
   EXPECT_THROW(structure_drawing({}), std::invalid_argument);
+  StructureDrawing dashed = cantilever();
+  dashed.id = "structure-v1";  // SMIL: at structure, v1.click earlier
+  EXPECT_THROW(structure_drawing(dashed), std::invalid_argument);
 }
 
 }  // namespace
