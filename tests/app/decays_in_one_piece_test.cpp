@@ -178,6 +178,23 @@ TEST_F(DecaysInOnePiece, LeaveTheModulationEquationsWhereAToneStandsBesideTheMot
   EXPECT_EQ(estimate["estimates"], rough["estimates"]);
 }
 
+// docs/inference.md (60): what the integrator makes of a frequency stays far below the noise, however little that
+// is. Without friction, at whose reversals no step is fine enough.
+TEST_F(DecaysInOnePiece, AreIntegratedInStepsThatTheirNoiseDoesNotNotice) {
+  Swing smooth;
+  smooth.friction = 0;
+  ASSERT_NO_FATAL_FAILURE(simulate(smooth, 1e-3 * noise_sd, 5));
+  write_model("without.toml", "");
+  const Json estimate = identified("without.toml", "--by full-equations");
+  ASSERT_TRUE(estimate.is_object()) << printed();
+  for (Index p = 0; p < 3; ++p) {
+    const Json e = named(estimate, names[p]);
+    ASSERT_TRUE(e["value"].is_number()) << names[p];
+    EXPECT_NEAR(e["value"].get<double>(), truth()(p), 4 * e["sd"].get<double>()) << names[p];
+    EXPECT_LT(e["sd"].get<double>(), 1e-4 * std::abs(truth()(p))) << names[p];
+  }
+}
+
 class SlowDecaysInOnePiece : public DecaysInOnePiece {};
 
 TEST_F(SlowDecaysInOnePiece, AreAsSharpAsTheirSamplesAllow) {
