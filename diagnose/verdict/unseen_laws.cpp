@@ -123,7 +123,7 @@ UnseenLaws unseen_laws(const Comparison& comparison, const Refit& in_time, doubl
     least_p = p;
     result.deviations = deviations;
   }
-  result.p_value = std::min(1.0, tried * least_p);
+  if (tried > 0) result.p_value = std::min(1.0, tried * least_p);
   return result;
 }
 
