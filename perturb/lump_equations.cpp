@@ -15,7 +15,7 @@
 #include "perturb/formula_value.hpp"
 #include "perturb/prime_field.hpp"
 #include "perturb/rest_position.hpp"
-#include "perturb/row_reduction.hpp"
+#include "numerics/row_reduction.hpp"
 
 namespace secular {
 namespace {

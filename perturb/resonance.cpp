@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
-#include "perturb/row_reduction.hpp"
+#include "numerics/row_reduction.hpp"
 
 namespace secular {
 namespace {

@@ -12,7 +12,7 @@ namespace secular {
 ///   sum_j multiples_j f_j = coefficient * eps^n * detuning
 /// hold: each relation gives one frequency, the last that no other relation gives, in terms of the others. Those
 /// are random values, as are the detunings. For ExactArithmetic and FloatingArithmetic. Its elimination is its own
-/// on purpose: a certificate must not lean on that of the derivation that it checks (row_reduction.hpp).
+/// on purpose: a certificate must not lean on that of the derivation that it checks (numerics/row_reduction.hpp).
 template <class Arithmetic>
 std::vector<EpsSeries<typename Arithmetic::Number>> solved_frequencies(const Model& model,
                                                                        const ResonanceCase& resonance,

@@ -187,7 +187,7 @@ class Cutter {
   // Steps in a turn with which the integrator moves a frequency by a tenth of what the noise of a whole decay, and
   // of the others like it, leaves of it: docs/inference.md (60).
   double steps_of_whole(const Segment& segment, const Eigen::VectorXd& noise) const {
-    constexpr double most = 1000;  // beyond them rounding is larger
+    constexpr double most = 1000;  // 1.3e-11 of the frequency: no sampling clock is as good
     const MatrixXd moved = segment.response.colwise() - segment.response.rowwise().mean();
     const Eigen::RowVectorXd weight = (noise.cwiseInverse().asDiagonal() * moved).colwise().squaredNorm();
     const Eigen::RowVectorXd time =

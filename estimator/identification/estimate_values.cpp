@@ -170,11 +170,10 @@ void doubt(EstimatedValue& value, const std::string& why) {
   if (std::find(reasons.begin(), reasons.end(), why) == reasons.end()) reasons.push_back(why);
 }
 
-void add_misfit(EstimatedValue& value, double misfit) {
+void add_misfit(EstimatedValue& value, double misfit, const std::string& why) {
   if (!(misfit > 0) || !value.value) return;
-  value.misfit = misfit;
-  if (misfit > 2 * value.sd)
-    doubt(value, "the model does not fit, and what it lacks may have moved this by more than its error bar");
+  value.misfit = std::hypot(value.misfit, misfit);
+  if (misfit > 2 * value.sd) doubt(value, why);
   value.sd = std::hypot(value.sd, 0.5 * misfit);
 }
 

@@ -7,13 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "estimator/thresholds.hpp"
+#include "estimator/identification/beyond_chance.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/observed_blocks.hpp"
 #include "measure/observe/record_ranges.hpp"
 #include "measure/observe/record_window.hpp"
 #include "measure/observe/related_tones.hpp"
-#include "numerics/distribution.hpp"
 
 namespace secular {
 namespace {
@@ -25,11 +24,6 @@ using Eigen::VectorXd;
 
 /// A constant, a drift of zero from record to record, and the law.
 constexpr Index fitted_to_means = 3;
-
-// What turns a displacement's line into the one that channels show.
-Complex to_shown(double frequency, int derivatives) {
-  return std::pow(Complex(0, frequency), derivatives);
-}
 
 // Of one dwell.
 struct MeanOfMotion {
@@ -71,7 +65,7 @@ std::vector<std::vector<MeanOfMotion>> means_of(const Campaign& campaign, const 
       MeanOfMotion one;
       one.record = static_cast<double>(first.record);
       for (const Observation& o : ensembles)
-        one.square += std::norm(o.amplitude[k] * to_shown(o.rate[k].imag(), projection.derivatives)) /
+        one.square += std::norm(o.amplitude[k] * derived(o.rate[k].imag(), projection.derivatives)) /
                       static_cast<double>(ensembles.size());
       one.mean = project(projection, k, fit.offset.transpose().cast<Complex>()).real();
       one.variance = std::pow(project_sd(projection, k, fit.offset_sd.transpose()), 2);
@@ -96,15 +90,8 @@ double growth_of_means(const std::vector<MeanOfMotion>& dwells) {
     matrix.row(i) << 1 / sd, (d.record - dwells.front().record) / sd, d.square / largest / sd;
     target(i) = d.mean / sd;
   }
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(matrix);
-  if (qr.rank() < fitted_to_means) return 0;
-  const VectorXd found = qr.solve(target);
-  const auto freedom = static_cast<double>(count - fitted_to_means);
-  const double scatter = std::max(1.0, (target - matrix * found).squaredNorm() / freedom);
-  const double variance = (matrix.transpose() * matrix).inverse()(2, 2) * scatter;
-  const double by_chance = f_upper_quantile(estimator_thresholds().contradiction_alarm, 1, freedom);
-  const double counts = 1 - by_chance * variance / (found(2) * found(2));
-  return counts > 0 ? found(2) * std::sqrt(counts) / largest : 0;
+  if (matrix.colPivHouseholderQr().rank() < fitted_to_means) return 0;
+  return beyond_chance(matrix, target, 2, static_cast<double>(count - fitted_to_means)) / largest;
 }
 
 }  // namespace
@@ -137,8 +124,8 @@ ObservationSet without_even_part(const ObservationSet& set, const EvenSensor& se
       if (static_cast<std::size_t>(block.mode) != sensor.mode || !(o.harmonic_sd[b] >= 0)) continue;
       const double own = o.rate[sensor.mode].imag(), f = block_frequency(block, o);
       if (std::abs(std::abs(f) / own - 2) > 1e-3) continue;
-      const Complex motion = o.amplitude[sensor.mode] * to_shown(own, sensor.derivatives);
-      const Complex second = sensor.k * motion * motion / to_shown(2 * own, sensor.derivatives);
+      const Complex motion = o.amplitude[sensor.mode] * derived(own, sensor.derivatives);
+      const Complex second = sensor.k * motion * motion / derived(2 * own, sensor.derivatives);
       o.harmonic[b] -= f < 0 ? std::conj(second) : second;
     }
   return result;

@@ -9,10 +9,7 @@ namespace {
 
 void allow_for_other(EstimatedValue& value, const EstimatedValue& other, const std::string& why) {
   if (!value.value || !other.value || value.fixed) return;
-  const double misfit = std::abs(*other.value - *value.value);
-  if (misfit > 2 * value.sd) doubt(value, why);
-  value.sd = std::hypot(value.sd, 0.5 * misfit);
-  value.misfit = std::hypot(value.misfit, misfit);
+  add_misfit(value, std::abs(*other.value - *value.value), why);
 }
 
 }  // namespace

@@ -2,28 +2,14 @@
 
 #include <algorithm>
 #include <boost/rational.hpp>
+#include <utility>
+
+#include "numerics/row_reduction.hpp"
 
 namespace secular {
 namespace {
 
 using Fraction = boost::rational<long long>;
-
-// Gauss-Jordan from the last column on: every row is solved for the last frequency in it, whose column is returned.
-std::vector<std::size_t> solve_for_last(std::vector<std::vector<Fraction>>& rows) {
-  std::vector<std::size_t> solved(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const auto last = std::find_if(rows[r].rbegin(), rows[r].rend(), [](const Fraction& x) { return x.numerator() != 0; });
-    const auto column = static_cast<std::size_t>(rows[r].rend() - last) - 1;
-    const Fraction pivot = rows[r][column];
-    for (Fraction& x : rows[r]) x /= pivot;
-    for (std::size_t other = 0; other < rows.size(); ++other) {
-      const Fraction factor = other == r ? Fraction(0) : rows[other][column];
-      for (std::size_t c = 0; c < rows[r].size(); ++c) rows[other][c] -= factor * rows[r][c];
-    }
-    solved[r] = column;
-  }
-  return solved;
-}
 
 double value_of(Ratio share) {
   return static_cast<double>(share.numerator) / share.denominator;
@@ -38,15 +24,15 @@ LockedExcitations::LockedExcitations(const CompiledModel& model, const CompiledC
   for (std::size_t r = 0; excitations > 1 && r + columns <= resonance.relations.size(); r += columns) {
     const auto row = resonance.relations.subspan(r, columns);
     if (std::all_of(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(modes), [](int m) { return m == 0; }))
-      rows.emplace_back(row.begin() + static_cast<std::ptrdiff_t>(modes), row.end());
+      rows.emplace_back(row.rbegin(), row.rend() - static_cast<std::ptrdiff_t>(modes));
   }
-  const std::vector<std::size_t> solved = solve_for_last(rows);
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    Follower follower{solved[r], std::vector<Ratio>(excitations)};
-    for (std::size_t j = 0; j < excitations; ++j)
-      if (j != solved[r])
-        follower.shares[j] = {static_cast<int>(-rows[r][j].numerator()),
-                              static_cast<int>(rows[r][j].denominator())};
+  // Columns run backwards: a row is solved for the last frequency in it.
+  for (const Pivot& pivot : reduce_rows(rows, 0, excitations)) {
+    Follower follower{excitations - 1 - pivot.column, std::vector<Ratio>(excitations)};
+    for (std::size_t j = 0; j < excitations; ++j) {
+      const Fraction share = j == follower.excitation ? Fraction(0) : -rows[pivot.row][excitations - 1 - j];
+      follower.shares[j] = {static_cast<int>(share.numerator()), static_cast<int>(share.denominator())};
+    }
     followers_.push_back(std::move(follower));
   }
 }

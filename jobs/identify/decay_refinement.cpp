@@ -90,12 +90,9 @@ std::string disagreement(const Estimate& one, const Estimate& other, double alar
 void allow_for(EstimatedValue& value, const EstimatedValue& other, double hidden) {
   if (!value.value || value.fixed) return;
   const double apart = other.value ? *value.value - *other.value : 0,
-               beyond = std::sqrt(std::max(0.0, apart * apart - value.sd * value.sd - other.sd * other.sd)),
-               misfit = std::hypot(hidden, beyond);
-  if (misfit > 2 * value.sd)
-    doubt(value, "along the decays the full equations show that it may be off by more than its error bar");
-  value.misfit = std::hypot(value.misfit, misfit);
-  value.sd = std::hypot(value.sd, 0.5 * misfit);
+               beyond = std::sqrt(std::max(0.0, apart * apart - value.sd * value.sd - other.sd * other.sd));
+  add_misfit(value, std::hypot(hidden, beyond),
+             "along the decays the full equations show that it may be off by more than its error bar");
 }
 
 // Steps that noise does not smooth move with the motion: parts of a decay that they make differ say nothing of it.

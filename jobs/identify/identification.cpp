@@ -87,6 +87,15 @@ std::string allow_for(Estimate& estimate, const std::string& without, const std:
   }
 }
 
+/// The same of an estimate from the observations without a part that `take_off` takes off each set of them.
+template <class TakeOff>
+std::string allow_for_estimate_without(const std::string& part, const std::vector<ObservationSet>& observed,
+                                       const EstimateTask& task, Estimate& estimate, const TakeOff& take_off) {
+  std::vector<ObservationSet> without;
+  for (const ObservationSet& set : observed) without.push_back(take_off(set));
+  return allow_for(estimate, part, [&] { return estimate_with_phases(without, task).of.estimate; });
+}
+
 /// Equal poles of a low-pass, until harmonics and the amplitudes' course with frequency do not exclude it.
 constexpr int numbers_of_poles[] = {1, 4, 16, 64};
 
@@ -122,10 +131,9 @@ void judge_means(const std::vector<ObservationSet>& observed, const RecordReader
                  const EstimateTask& task, Identification& id) {
   const auto sensor = even_sensor(id.campaign, read, observed, window);
   if (!sensor) return;
-  std::vector<ObservationSet> without;
-  for (const ObservationSet& set : observed) without.push_back(without_even_part(set, *sensor));
-  const std::string allowed = allow_for(id.estimate, "the even part of a sensor's law",
-                                        [&] { return estimate_with_phases(without, task).of.estimate; });
+  const std::string allowed =
+      allow_for_estimate_without("the even part of a sensor's law", observed, task, id.estimate,
+                                 [&](const ObservationSet& set) { return without_even_part(set, *sensor); });
   id.estimate.warnings.push_back(fmt::format(
       "case {}: the mean of {} grows as the square of its motion, where a lasting motion has none. A sensor that "
       "is not "
@@ -139,10 +147,9 @@ void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTas
                   Identification& id) {
   const auto sensor = cubic_sensor(id.measured, id.estimate, derivatives, task.options.threads);
   if (!sensor) return;
-  std::vector<ObservationSet> without;
-  for (const ObservationSet& set : observed) without.push_back(without_cubic_part(set, *sensor));
-  const std::string allowed = allow_for(id.estimate, "the cubic part of a sensor's law",
-                                        [&] { return estimate_with_phases(without, task).of.estimate; });
+  const std::string allowed =
+      allow_for_estimate_without("the cubic part of a sensor's law", observed, task, id.estimate,
+                                 [&](const ObservationSet& set) { return without_cubic_part(set, *sensor); });
   id.estimate.warnings.push_back(fmt::format(
       "case {}: beyond what model and excitation make, the responses' third harmonic grows as the cube "
       "of the motion, to {:.2g} % of it, as that of a sensor which is not linear. Such a sensor's amplitudes are "

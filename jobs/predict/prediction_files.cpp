@@ -57,6 +57,11 @@ Json curve_point_json(const Prediction& prediction, const ResponseCurvePoint& po
   return result;
 }
 
+// Of a special point, for programs.
+std::string_view word_of(const ResponseSpecial& special) {
+  return special.at.at_rest ? "threshold" : secular::name_of(special.kind);
+}
+
 // `old`: the word of version 0.1, kept for one version where it was another one.
 void put_kind(Json& entry, const std::string& key, std::string_view word, std::string_view old) {
   entry[key] = word;
@@ -73,8 +78,7 @@ Json diagram_json(const Prediction& prediction) {
     entry["special_points"] = Json::array();
     for (const ResponseSpecial& special : branch.special) {
       Json at;
-      put_kind(at, "kind", special.at.at_rest ? "threshold" : secular::name_of(special.kind),
-               special_name(special));
+      put_kind(at, "kind", word_of(special), special_name(special));
       put_kind(at, "bifurcation", secular::name_of(special.kind), in_words(special.kind));
       at["polished"] = special.polished;
       if (special.frequency != 0) at["frequency"] = special.frequency;
@@ -294,8 +298,7 @@ std::string prediction_csv(const Prediction& prediction) {
     for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
       const ResponseBranch& branch = prediction.diagram.branches[b];
       for (const ResponsePoint& at : branch.points) put(b, "point", at);
-      for (const ResponseSpecial& special : branch.special)
-        put(b, special.at.at_rest ? "threshold" : std::string(secular::name_of(special.kind)), special.at);
+      for (const ResponseSpecial& special : branch.special) put(b, std::string(word_of(special)), special.at);
     }
   }
   return text;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,12 @@ struct ModalProjection {
   int derivatives = 0;                ///< how often the channels' quantity is differentiated: 2 for accelerations
   std::string unit;                   ///< of the coordinates
 };
+
+/// What turns a line of a displacement at this frequency (rad/s) into that of a quantity which is differentiated so
+/// often: (i w)^derivatives.
+inline std::complex<double> derived(double frequency, int derivatives) {
+  return std::pow(std::complex<double>(0, frequency), derivatives);
+}
 
 /// Throws InputError where channels and coordinates do not fit together.
 ModalProjection modal_projection(const Campaign& campaign, const CompiledModel& model);

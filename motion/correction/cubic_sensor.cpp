@@ -5,13 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "estimator/identification/beyond_chance.hpp"
 #include "estimator/identification/predicted_harmonics.hpp"
-#include "estimator/thresholds.hpp"
+#include "measure/observe/modal_projection.hpp"
 #include "measure/observe/observed_blocks.hpp"
 #include "measure/observe/record_ranges.hpp"
 #include "motion/correction/balanced_motions.hpp"
 #include "motion/correction/mean_motion.hpp"
-#include "numerics/distribution.hpp"
 #include "numerics/in_parallel.hpp"
 
 namespace secular {
@@ -20,11 +20,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXd;
-
-// A displacement's line as channels show it.
-Complex shown(Complex displacement, double frequency, int derivatives) {
-  return displacement * std::pow(Complex(0, frequency), derivatives);
-}
 
 // The third harmonic of one dwell, as a share of the motion, in the phase in which a cube of the motion has it.
 struct ThirdHarmonic {
@@ -55,11 +50,11 @@ class ThirdHarmonics {
     const auto with = motions_.amplitude_of(mode, block.phase, *whole),
                without = motions_.amplitude_of(mode, block.phase, *plain);
     if (!with || !without) return std::nullopt;
-    const Complex motion = shown(o.amplitude[mode], own, derivatives_);
+    const Complex motion = o.amplitude[mode] * derived(own, derivatives_);
     const double f = block_frequency(block, o);
     // To the phase and in the unit of the motion's cube over its squared modulus.
     const Complex unit =
-        shown(1, f, derivatives_) * std::pow(std::conj(motion) / std::abs(motion), 3) / std::abs(motion);
+        derived(f, derivatives_) * std::pow(std::conj(motion) / std::abs(motion), 3) / std::abs(motion);
     const double by_line =
         std::abs(o.forcing_harmonic[*b]) > 0 ? std::abs(*with - *without) / std::abs(o.forcing_harmonic[*b]) : 0.0;
     ThirdHarmonic third{std::abs(motion),
@@ -124,7 +119,7 @@ class ThirdHarmonics {
     std::size_t found = 0;
     double most = -1;
     for (std::size_t k = 0; k < o.amplitude.size(); ++k)
-      if (const double size = std::abs(shown(o.amplitude[k], o.rate[k].imag(), derivatives_)); size > most) {
+      if (const double size = std::abs(o.amplitude[k] * derived(o.rate[k].imag(), derivatives_)); size > most) {
         most = size;
         found = k;
       }
@@ -181,13 +176,7 @@ double third_of_sensor(const std::vector<ThirdHarmonic>& dwells) {
     for (Index d = 0; d < steps; ++d) matrix(i, 1 + d) = e.of_estimate[static_cast<std::size_t>(d)] / e.sd;
   }
   matrix.bottomRightCorner(steps, steps).setIdentity();
-  const VectorXd found = matrix.colPivHouseholderQr().solve(target);
-  const auto freedom = static_cast<double>(count - 1);
-  const double scatter = std::max(1.0, (target - matrix * found).squaredNorm() / freedom);
-  const double variance = (matrix.transpose() * matrix).inverse()(0, 0) * scatter;
-  const double by_chance = f_upper_quantile(estimator_thresholds().contradiction_alarm, 1, freedom);
-  const double counts = determined(dwells) * (1 - by_chance * variance / (found(0) * found(0)));
-  return counts > 0 ? found(0) * std::sqrt(counts) : 0;
+  return beyond_chance(matrix, target, 0, static_cast<double>(count - 1), determined(dwells));
 }
 
 }  // namespace
@@ -218,7 +207,7 @@ ObservationSet without_cubic_part(const ObservationSet& set, const CubicSensor& 
   ObservationSet result = set;
   for (Observation& o : result.observations)
     for (std::size_t k = 0; k < o.amplitude.size(); ++k) {
-      const double seen = std::abs(shown(o.amplitude[k], o.rate[k].imag(), sensor.derivatives));
+      const double seen = std::abs(o.amplitude[k] * derived(o.rate[k].imag(), sensor.derivatives));
       o.amplitude[k] *= 1 - 3 * sensor.k * seen * seen;
     }
   return result;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -15,8 +13,8 @@
 #include "jobs/identify/identification.hpp"
 #include "motion/simulate/experiment.hpp"
 #include "tests/app/hardening_oscillator.hpp"
+#include "tests/app/oscillator_estimate.hpp"
 #include "tests/identification/virtual_campaign.hpp"
-#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -26,29 +24,15 @@ using testing_support::warns;
 
 constexpr double strength_told = 1, hardening_told = 2.5e8;
 
-// Twelve dwells at two levels.
 SimulatedCampaign hardening_dwells(const std::string& shaker, std::uint64_t seed) {
-  const std::string text = testing_support::hardening_oscillator + shaker + R"([[dwell]]
-frequencies_hz = [19.7, 19.85, 20.0, 20.1, 20.2, 20.35]
-amplitudes = [0.2, 0.4]
-settle_s = 12.0
-ensembles = 4
-ensemble_s = 2.0
-)";
-  const auto file = testing_support::process_folder() / "cubic_sensor.toml";
-  std::filesystem::create_directories(file.parent_path());
-  std::ofstream(file) << text;
-  const CompiledModel& model = *generated::find_compiled_model("duffing");
-  return run_virtual_test(read_experiment(file, model), model, seed, 2);
+  return testing_support::oscillator_campaign(
+      testing_support::hardening_oscillator + shaker + testing_support::dwells_at_two_levels, seed);
 }
 
 Identification identified(SimulatedCampaign made, const std::function<double(double)>& sensor) {
   for (Record& record : made.samples)
     std::ranges::transform(record.channels[1], record.channels[1].begin(), sensor);
-  IdentificationRequest request;
-  request.model = "duffing";
-  request.resonances = {"primary"};
-  return identify_by_modulation(request, made.campaign, [&](std::size_t r) { return made.samples[r]; });
+  return testing_support::identified_primary(made);
 }
 
 bool holds(const EstimatedValue& value, double truth) {
@@ -59,9 +43,7 @@ bool holds(const EstimatedValue& value, double truth) {
 // there.
 TEST(CubicSensor, IsAllowedForInWhatAmplitudesTell) {
   const SimulatedCampaign made = hardening_dwells("", 11);
-  double largest = 0;
-  for (const Record& record : made.samples)
-    for (const double y : record.channels[1]) largest = std::max(largest, std::abs(y));
+  const double largest = testing_support::largest_response(made);
   const Identification id = identified(made, [&](double y) { return y * (1 - 0.12 * std::pow(y / largest, 2)); });
   EXPECT_TRUE(warns(id.estimate.warnings, "a sensor which is not linear"));
   EXPECT_TRUE(holds(value_of(id.estimate, "e"), strength_told)) << *value_of(id.estimate, "e").value;

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <random>
 #include <string>
@@ -15,10 +13,9 @@
 
 #include "generated/registry.hpp"
 #include "jobs/identify/identification.hpp"
-#include "motion/simulate/experiment.hpp"
 #include "tests/app/hardening_oscillator.hpp"
+#include "tests/app/oscillator_estimate.hpp"
 #include "tests/identification/virtual_campaign.hpp"
-#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -28,19 +25,14 @@ using testing_support::warns;
 
 // Fourteen dwells at two levels.
 SimulatedCampaign filtered_dwells(std::uint64_t seed) {
-  const auto file = testing_support::process_folder() / "low_pass.toml";
-  std::filesystem::create_directories(file.parent_path());
-  std::string text = testing_support::hardening_oscillator;
-  text.replace(text.find("a2 = 0.0"), 8, "a2 = 4e5");  // second harmonics are equations then
-  std::ofstream(file) << text << R"([[dwell]]
+  return testing_support::oscillator_campaign(testing_support::lopsided_oscillator() + R"([[dwell]]
 frequencies_hz = [19.5, 19.75, 19.875, 20.0, 20.125, 20.25, 20.5]
 amplitudes = [0.1, 0.3]
 settle_s = 12.0
 ensembles = 4
 ensemble_s = 2.0
-)";
-  const CompiledModel& model = *generated::find_compiled_model("duffing");
-  return run_virtual_test(read_experiment(file, model), model, seed, 2);
+)",
+                                              seed);
 }
 
 // A dwell of whole periods: what a filter or a delay makes of a channel is in its lines, those of the excitation's
@@ -66,10 +58,7 @@ Identification identified_behind_filter(SimulatedCampaign made, std::size_t chan
   for (std::size_t r = 0; r < made.samples.size(); ++r)
     filter_lines(made.samples[r].channels[channel], 256, *made.campaign.records[r].excitation_frequency_hz, pole_s,
                  delay_s);
-  IdentificationRequest request;
-  request.model = "duffing";
-  request.resonances = {"primary"};
-  return identify_by_modulation(request, made.campaign, [&](std::size_t r) { return made.samples[r]; });
+  return testing_support::identified_primary(made);
 }
 
 bool interval_holds(const EstimatedValue& value, double truth) {

@@ -17,7 +17,7 @@ const FolderTable& folder_table() {
       {"effects", {}},
       {"report", {"input"}},
       {"perturb", {"effects", "input", "numerics"}},
-      {"estimator/model", {}},
+      {"estimator/model", {"numerics"}},
       {"generated", {"estimator/model"}},
       {"codegen/canonical", {"input", "perturb"}},
       {"codegen/expression", {"codegen/canonical"}},

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "tests/app/hardening_oscillator.hpp"
 #include "tests/identification/virtual_campaign.hpp"
-#include "tests/process_folder.hpp"
 
 namespace secular {
 namespace {
@@ -73,13 +70,11 @@ TEST(LineOffset, WhatATurnLosesIsTheMeanOfTurnedPhases) {
 
 // One dwell of 8 s.
 SimulatedCampaign hardening_dwell(std::uint64_t seed) {
-  const auto file = testing_support::process_folder() / "line_offset.toml";
-  std::filesystem::create_directories(file.parent_path());
-  std::ofstream(file) << testing_support::hardening_oscillator
-                      << "[[dwell]]\nfrequencies_hz = [20.2]\namplitudes = [0.2]\nsettle_s = 12.0\nensembles = 4\n"
-                         "ensemble_s = 2.0\n";
-  const CompiledModel& model = *generated::find_compiled_model("duffing");
-  return run_virtual_test(read_experiment(file, model), model, seed, 1);
+  return testing_support::oscillator_campaign(
+      std::string(testing_support::hardening_oscillator) +
+          "[[dwell]]\nfrequencies_hz = [20.2]\namplitudes = [0.2]\nsettle_s = 12.0\nensembles = 4\nensemble_s = "
+          "2.0\n",
+      seed);
 }
 
 ObservationSet primary_of(const SimulatedCampaign& made) {

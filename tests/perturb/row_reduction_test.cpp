@@ -1,4 +1,4 @@
-#include "perturb/row_reduction.hpp"
+#include "numerics/row_reduction.hpp"
 
 #include <ginac/ginac.h>
 #include <gtest/gtest.h>
