@@ -109,10 +109,10 @@ Eigen::VectorXd Signatures::lines_of_dwells(const Reality& reality, bool all_ens
     const double fundamental = drive.frequency / static_cast<double>(settling.periods_of_two);
     for (std::size_t e = 0; e < ensembles; ++e) {
       const Eigen::MatrixXd basis = harmonic_basis(fundamental, harmonics_, e * ensemble_samples);
-      const Eigen::LDLT<Eigen::MatrixXd> normal(basis.transpose() * basis);
+      const Eigen::LDLT<Eigen::MatrixXd> normal(Eigen::MatrixXd(basis.transpose() * basis));
       for (std::size_t c = 0; c < channels; ++c) {
         const Eigen::Map<const Eigen::VectorXd> y(samples[c].data() + e * ensemble_samples, ensemble_samples);
-        result.segment(at, components()) = normal.solve(basis.transpose() * y);
+        result.segment(at, components()) = normal.solve(Eigen::VectorXd(basis.transpose() * y));
         for (Eigen::Index i = 0; i < components(); ++i) {
           const double hz = static_cast<double>((i + 1) / 2) * fundamental / two_pi;
           result(at + i) /= noise_.as_white(c, hz) * std::sqrt(2.0 / static_cast<double>(ensemble_samples));
@@ -268,7 +268,7 @@ const Eigen::MatrixXd& Signatures::own_parameters(bool all_ensembles) const {
 
 Eigen::VectorXd Signatures::linear_unexplained(const Eigen::VectorXd& change_seen, bool all_ensembles) const {
   const Eigen::MatrixXd& columns = own_parameters(all_ensembles);
-  return change_seen - columns * columns.colPivHouseholderQr().solve(change_seen);
+  return change_seen - columns * Eigen::VectorXd(columns.colPivHouseholderQr().solve(change_seen));
 }
 
 Eigen::VectorXd Signatures::change_with_own(Reality reality, const Eigen::VectorXd& moved,

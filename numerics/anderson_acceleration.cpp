@@ -30,7 +30,7 @@ VectorXd AndersonAcceleration::next(const VectorXd& x, const VectorXd& value, co
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(dependent_);
   solver.compute(remainders);
-  return value - values * solver.solve(weight.cwiseProduct(remainders_.back()));
+  return value - values * VectorXd(solver.solve(VectorXd(weight.cwiseProduct(remainders_.back()))));
 }
 
 VectorXd AndersonAcceleration::next(const VectorXd& x, const VectorXd& value) {

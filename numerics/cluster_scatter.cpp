@@ -27,7 +27,7 @@ std::optional<ClusterScatter> cluster_scatter(const std::vector<ClusterOfRows>& 
   std::vector<MatrixXd> roots;
   ClusterScatter result{MatrixXd::Zero(unknowns, unknowns), VectorXd::Zero(unknowns)};
   for (const ClusterOfRows& cluster : clusters) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> stays(MatrixXd::Identity(rank, rank) - cluster.gram);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> stays(MatrixXd(MatrixXd::Identity(rank, rank) - cluster.gram));
     if (stays.eigenvalues().minCoeff() < 1 - largest_leverage) return std::nullopt;
     const MatrixXd root = stays.operatorInverseSqrt();
     const VectorXd move = spread * (root * cluster.score);

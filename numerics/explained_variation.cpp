@@ -17,7 +17,7 @@ ExplainedVariation explained_variation(const Eigen::VectorXd& values, const Eige
   result.rank = static_cast<double>(fit.rank());
   result.freedom = static_cast<double>(values.size()) - result.rank;
   result.all = (values - constant * constant.dot(values)).squaredNorm();
-  result.left = (values - functions * fit.solve(values)).squaredNorm();
+  result.left = (values - functions * Eigen::VectorXd(fit.solve(values))).squaredNorm();
   return result;
 }
 

@@ -97,7 +97,7 @@ bool fill(std::span<double> x, const VectorXd& a, const Cluster& cluster) {
     }
     known(row) = error;
   }
-  const VectorXd found = design.colPivHouseholderQr().solve(-known);
+  const VectorXd found = design.colPivHouseholderQr().solve(VectorXd(-known));
   if (!found.allFinite()) return false;
   for (Index u = 0; u < unknowns; ++u) x[cluster.places[static_cast<std::size_t>(u)]] = found(u);
   return true;

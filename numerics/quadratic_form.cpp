@@ -41,7 +41,8 @@ double ratio_lower_tail(double ratio, const MatrixXd& form, const MatrixXd& cova
   const VectorXd sd = (variance.array() > rounding * variance.maxCoeff()).select(variance, 0.0).cwiseSqrt();
   const MatrixXd root = spread.eigenvectors() * sd.asDiagonal();
   const MatrixXd above = ratio * MatrixXd::Identity(form.rows(), form.cols()) - form;
-  VectorXd weight = Eigen::SelfAdjointEigenSolver<MatrixXd>(root.transpose() * above * root).eigenvalues();
+  VectorXd weight =
+      Eigen::SelfAdjointEigenSolver<MatrixXd>(MatrixXd(root.transpose() * above * root)).eigenvalues();
   const double largest = weight.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return 1;
   weight = (weight.cwiseAbs().array() > rounding * largest).select(weight / largest, 0.0);

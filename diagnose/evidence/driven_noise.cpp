@@ -165,7 +165,7 @@ DrivenNoise::DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, c
     if (!from.isInvertible()) return;
     // Changes by state, then what a change of the excitation does beside its change of the state.
     const auto by_state = [&](const MatrixXd& changes) -> MatrixXd {
-      return from.solve(changes.leftCols(parts).transpose()).transpose();
+      return from.solve(MatrixXd(changes.leftCols(parts).transpose())).transpose();
     };
     const MatrixXd beside = now.states.rightCols(inputs), reading = by_state(now.errors);
     MatrixXd push = MatrixXd::Zero(parts, inputs);
@@ -181,7 +181,7 @@ DrivenNoise::DrivenNoise(const SegmentModel& model, const SegmentTrial& trial, c
     MatrixXd innovation = step.reading * both * step.reading.transpose();
     innovation.diagonal() += white;
     step.lower = innovation.llt().matrixL();
-    step.gain = step.lower.triangularView<Eigen::Lower>().solve(step.reading * both).transpose();
+    step.gain = step.lower.triangularView<Eigen::Lower>().solve(MatrixXd(step.reading * both)).transpose();
     both -= step.gain * step.gain.transpose();
     step.transition = MatrixXd::Zero(states, states + inputs);
     if (i + 1 < trial.samples) {

@@ -153,7 +153,8 @@ ConditionRows LineEvidence::whiten(const Condition& c, const VectorXd& unknowns,
   }
   w.kept = order;
   const auto n = static_cast<Index>(order.size());
-  w.inverse_root = root.topLeftCorner(n, n).triangularView<Eigen::Lower>().solve(MatrixXd::Identity(n, n));
+  w.inverse_root =
+      root.topLeftCorner(n, n).triangularView<Eigen::Lower>().solve(MatrixXd(MatrixXd::Identity(n, n)));
   return here;
 }
 

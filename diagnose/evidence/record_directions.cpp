@@ -47,7 +47,7 @@ VectorXd RecordDirections::likeliest(const VectorXd& all) const {
   const VectorXd own = all(rows_);
   MatrixXd normal = columns_.transpose() * columns_;
   normal.diagonal().array() += 1;
-  return put_in_ - normal.ldlt().solve(columns_.transpose() * own + put_in_);
+  return put_in_ - normal.ldlt().solve(VectorXd(columns_.transpose() * own + put_in_));
 }
 
 RecordDirections::Told RecordDirections::told(const VectorXd& all, Index entry) const {
@@ -57,7 +57,7 @@ RecordDirections::Told RecordDirections::told(const VectorXd& all, Index entry) 
   others << columns_.leftCols(entry), columns_.rightCols(columns_.cols() - entry - 1);
   VectorXd column = columns_.col(entry);
   const double before = column.norm();
-  if (others.cols() > 0) column -= others * others.completeOrthogonalDecomposition().solve(column);
+  if (others.cols() > 0) column -= others * VectorXd(others.completeOrthogonalDecomposition().solve(column));
   const double squares = column.squaredNorm();
   if (!(squares > nothing * before * before)) return {0, std::numeric_limits<double>::infinity()};
   return {put_in_(entry) - column.dot(own) / squares, 1 / squares};
@@ -68,7 +68,7 @@ Between between_records(const VectorXd& values, const VectorXd& variances, const
     const VectorXd root = (variances.array() + variance).rsqrt();
     const MatrixXd weighted = root.asDiagonal() * functions;
     const VectorXd wanted = root.cwiseProduct(values);
-    return (wanted - weighted * weighted.householderQr().solve(wanted)).squaredNorm();
+    return (wanted - weighted * VectorXd(weighted.householderQr().solve(wanted))).squaredNorm();
   };
   const auto freedom = static_cast<double>(values.size() - functions.cols());
   Between result;

@@ -31,7 +31,7 @@ VectorXd guessed_state(const SensorModel& sensors, const Segment& s, const Vecto
     waves.col(0) = phase.cos();
     waves.col(1) = phase.sin();
     waves.col(2).setOnes();
-    const VectorXd fit = waves.colPivHouseholderQr().solve(modal.row(k).head(samples).transpose());
+    const VectorXd fit = waves.colPivHouseholderQr().solve(VectorXd(modal.row(k).head(samples).transpose()));
     // Of the measured quantity; divided by i w as often as it is differentiated.
     std::complex<double> amplitude(fit(0), -fit(1));
     for (int d = 0; d < sensors.derivatives; ++d) amplitude /= std::complex<double>(0, w);
@@ -112,7 +112,7 @@ class Walks {
         slope.col(k) = silenced(std::move(moved[i * static_cast<std::size_t>(size_) + static_cast<std::size_t>(k)]),
                                 walk.search.samples, walk.search.without) -
                        walk.error;
-      walk.change = -slope.colPivHouseholderQr().solve(walk.error);
+      walk.change = -VectorXd(slope.colPivHouseholderQr().solve(walk.error));
     }
     std::erase_if(going_, [](const Walk* walk) { return !walk->change.allFinite(); });
   }

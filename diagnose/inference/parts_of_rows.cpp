@@ -37,7 +37,7 @@ PartsAgreement agreement_of_parts(const Refit& fit, const std::vector<int>& part
   result.freedom = -static_cast<double>(fit.rank);
   for (const auto& [name, rows] : parts) {
     const MatrixXd own = columns(rows, Eigen::all);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(own.transpose() * own);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(MatrixXd(own.transpose() * own));
     const VectorXd score = gram.eigenvectors().transpose() * (own.transpose() * fit.rows(rows));
     const VectorXd& size = gram.eigenvalues();
     for (Index i = 0; i < size.size(); ++i)

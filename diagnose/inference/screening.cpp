@@ -26,7 +26,7 @@ Screening screen_slopes(const Discrepancy& discrepancy, const Refit& base, const
   const MatrixXd seen = basis_of(columns);
   if (seen.cols() == 0 || columns.norm() < least_length) return {};
   const VectorXd explained = seen * (seen.transpose() * base.rows);
-  const VectorXd strength = -columns.completeOrthogonalDecomposition().solve(base.rows);
+  const VectorXd strength = -VectorXd(columns.completeOrthogonalDecomposition().solve(base.rows));
   for (std::size_t s = 0; s < candidate.strengths.size(); ++s)
     unknowns(static_cast<Index>(candidate.strengths[s])) +=
         slopes.scale(static_cast<Index>(s)) * strength(static_cast<Index>(s));

@@ -89,7 +89,9 @@ Judgement judged(Discrepancy& test, const Refit& fit, double dispersion) {
   if (freedom.rows() > 0) {
     MatrixXd inner = freedom * (jacobian.transpose() * jacobian);
     inner.diagonal().array() += dispersion;
-    explained -= jacobian * inner.partialPivLu().solve(freedom * (jacobian.transpose() * rows)) / dispersion;
+    explained -= jacobian *
+                 VectorXd(inner.partialPivLu().solve(VectorXd(freedom * (jacobian.transpose() * rows)))) /
+                 dispersion;
   }
   result.separation = std::max(0.0, rows.dot(explained));
   Index strongest = 0;

@@ -122,7 +122,7 @@ VectorXd held_out_scores(const std::vector<ConditionPart>& parts, const VectorXd
     const double left = part.residual + 2 * dropped.dot(part.along) + dropped.dot(seen);
     const VectorXd along = q.transpose() * (part.along + seen);
     const MatrixXd own = q.transpose() * part.gram * q;
-    const VectorXd change = (MatrixXd::Identity(q.cols(), q.cols()) - own).ldlt().solve(along);
+    const VectorXd change = MatrixXd(MatrixXd::Identity(q.cols(), q.cols()) - own).ldlt().solve(along);
     scores(static_cast<Index>(g)) = (left + 2 * change.dot(along) + change.dot(own * change)) / part.rows;
   }
   return scores;
@@ -382,7 +382,7 @@ MatrixXd bootstrap_coefficients(const CaseFit& fit, int resamples, std::uint64_t
       }
       const Eigen::LDLT<MatrixXd> solver(sum);
       if (solver.vectorD().minCoeff() < 1e-6) continue;
-      result.col(s) = fit.reference + fit.fit.basis * solver.solve(total) - fit.fit.bias;
+      result.col(s) = fit.reference + fit.fit.basis * VectorXd(solver.solve(total)) - fit.fit.bias;
       break;
     }
   }

@@ -21,7 +21,8 @@ VectorXd left_by_common_fit(const CommonFit& c) {
   const VectorXd left = rows.estimate - rows.entries * (c.values - rows.reference);
   if (rows.others.cols() == 0) return left;
   const MatrixXd weighted = rows.kept * rows.others;
-  return left - rows.others * weighted.completeOrthogonalDecomposition().solve(rows.kept * left);
+  return left -
+         rows.others * VectorXd(weighted.completeOrthogonalDecomposition().solve(VectorXd(rows.kept * left)));
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ std::optional<ClusterScatter> condition_scatter(std::span<const CommonFit> cases
     repeats += of_case;
     if (rows.repeat_freedom > 0) repeats_error += of_case.cwiseAbs2() / rows.repeat_freedom;
     for (std::size_t g = 0; g < rows.gram.size(); ++g) {
-      const MatrixXd gram = part.transpose() * rows.gram[g] * kept.solve(part);
+      const MatrixXd gram = part.transpose() * rows.gram[g] * MatrixXd(kept.solve(part));
       const VectorXd score = part.transpose() * (rows.score[g] + rows.gram[g] * left) / rows.residual_sd;
       conditions.push_back({0.5 * (gram + gram.transpose()), score});
     }

@@ -37,7 +37,7 @@ InstrumentRows instrument_rows(const MatrixXd& instruments, const MatrixXd& colu
   result.design = directions * seen;
   result.response = response - (columns - result.design) * coefficients;
   solver.compute(MatrixXd(directions.transpose() * instruments * own.asDiagonal()));
-  result.onto = own.asDiagonal() * solver.solve(seen);
+  result.onto = own.asDiagonal() * MatrixXd(solver.solve(seen));
   return result;
 }
 

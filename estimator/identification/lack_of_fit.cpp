@@ -136,7 +136,8 @@ Residuals residuals_of(const CaseFit& fit) {
       if (lengths(c) > 0) columns.col(c) /= lengths(c);
     Eigen::ColPivHouseholderQR<MatrixXd> own(columns);
     own.setThreshold(dependent);
-    const VectorXd fitted = columns * own.solve(VectorXd(root_weight(here).cwiseProduct(result.values(here))));
+    const VectorXd fitted =
+        columns * VectorXd(own.solve(VectorXd(root_weight(here).cwiseProduct(result.values(here)))));
     for (std::size_t r = 0; r < here.size(); ++r)
       if (const double root = root_weight(here[r]); root > 0)
         result.values(here[r]) -= fitted(static_cast<Index>(r)) / root;

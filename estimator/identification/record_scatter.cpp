@@ -122,7 +122,8 @@ class Moments {
     // Differences between records: a shift of all of them is no scatter.
     const Index count = sums.sums.size();
     const MatrixXd mean = VectorXd::Ones(count) / std::sqrt(static_cast<double>(count));
-    const MatrixXd basis = Eigen::HouseholderQR<MatrixXd>(mean).householderQ() * MatrixXd::Identity(count, count);
+    const MatrixXd basis =
+        Eigen::HouseholderQR<MatrixXd>(mean).householderQ() * MatrixXd(MatrixXd::Identity(count, count));
     contrasts_ = basis.rightCols(count - 1);
     differences_ = contrasts_.transpose() * sums.sums;
     noise_ = contrasts_.transpose() * sums.noise * contrasts_;
@@ -131,7 +132,7 @@ class Moments {
   }
 
   double statistic(double variance) const {
-    return differences_.dot((noise_ + variance * between_).ldlt().solve(differences_));
+    return differences_.dot(MatrixXd(noise_ + variance * between_).ldlt().solve(differences_));
   }
   // What Q/freedom is divided by to follow the F law, and the degrees of freedom of its denominator (B. L. Welch,
   // Biometrika 38, 1951); of a record's variance the part counts that its stretches have to tell.
@@ -167,7 +168,8 @@ class Moments {
 
  private:
   MatrixXd shifts_of(const MatrixXd& differences, double variance) const {
-    return variance * sums_.shown * (contrasts_ * (noise_ + variance * between_).ldlt().solve(differences));
+    return variance * sums_.shown *
+           (contrasts_ * VectorXd(MatrixXd(noise_ + variance * between_).ldlt().solve(differences)));
   }
 
   const RecordSums& sums_;
@@ -246,7 +248,8 @@ RecordScatter record_scatter(const CaseFit& fit) {
     scatter->mode = fit.columns[c].index;
     result.told.push_back(told_scatter(*sums, false_alarm / static_cast<double>(tests)));
     if (scatter->sd > 0 && !dwells) {
-      const MatrixXd moved = scatter->sd * std::sqrt(sums->unit) * (fit.fit.basis * kept.solve(sums->seen));
+      const MatrixXd moved =
+          scatter->sd * std::sqrt(sums->unit) * (fit.fit.basis * MatrixXd(kept.solve(sums->seen)));
       const Index before = result.moves.cols();
       result.moves.conservativeResize(Eigen::NoChange, before + moved.cols());
       result.moves.rightCols(moved.cols()) = moved;

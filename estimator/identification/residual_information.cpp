@@ -56,7 +56,7 @@ ResidualInformation residual_information(const MatrixXd& change, const LinearFit
   for (const auto& [label, rows] : members) {
     const MatrixXd own_rows = all(rows, Eigen::all);
     const MatrixXd kept = MatrixXd::Identity(all.cols(), all.cols()) - own_rows.transpose() * own_rows;
-    const VectorXd change_of_all = kept.ldlt().solve(own_rows.transpose() * left(rows));
+    const VectorXd change_of_all = kept.ldlt().solve(VectorXd(own_rows.transpose() * left(rows)));
     const VectorXd moved = change_of_all.tail(count);
     if (!moved.allFinite()) return evidence;
     scatter += moved * moved.transpose();

@@ -37,7 +37,7 @@ struct Whitening {
     const VectorXd sd = covariance.diagonal().cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
     inverse_sd = sd.cwiseInverse();
     const MatrixXd correlation = inverse_sd.asDiagonal() * covariance * inverse_sd.asDiagonal();
-    cholesky.compute(correlation + 1e-12 * MatrixXd::Identity(sd.size(), sd.size()));
+    cholesky.compute(MatrixXd(correlation + 1e-12 * MatrixXd::Identity(sd.size(), sd.size())));
   }
   MatrixXd operator()(MatrixXd m) const {
     m = inverse_sd.asDiagonal() * m;
@@ -533,7 +533,7 @@ class SharedFit {
 // one) over what it tells itself.
 std::vector<ResidualInformation> beyond_lumps(std::span<const LumpEstimates> cases, const MatrixXd& by_lumps) {
   const Index directions = by_lumps.rows();
-  const MatrixXd told = by_lumps.ldlt().solve(MatrixXd::Identity(directions, directions)) -
+  const MatrixXd told = by_lumps.ldlt().solve(MatrixXd(MatrixXd::Identity(directions, directions))) -
                         MatrixXd::Identity(directions, directions);
   std::vector<ResidualInformation> result;
   for (const LumpEstimates& part : cases) {

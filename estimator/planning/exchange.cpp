@@ -61,7 +61,7 @@ class Search {
  private:
   double value_of(const MatrixXd& scaled) const {
     const Index size = scaled.rows();
-    const Eigen::LLT<MatrixXd> cholesky(scaled + prior * MatrixXd::Identity(size, size));
+    const Eigen::LLT<MatrixXd> cholesky(MatrixXd(scaled + prior * MatrixXd::Identity(size, size)));
     if (cholesky.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
     const auto wanted = static_cast<Index>(problem_.wanted.size());
     MatrixXd selector = MatrixXd::Zero(size, wanted);

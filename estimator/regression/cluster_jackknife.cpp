@@ -41,7 +41,7 @@ ClusterJackknife cluster_jackknife(const FittedCoordinates& fit, std::span<const
     const Eigen::LDLT<MatrixXd> solver(kept);
     determines_alone[g] = solver.vectorD().minCoeff() < 1 - largest_leverage;
     const VectorXd score = basis.transpose() * fit.residual(members[g]);
-    result.influence.row(static_cast<Index>(g)) = -(fit.spread * solver.solve(score)).transpose();
+    result.influence.row(static_cast<Index>(g)) = -(fit.spread * VectorXd(solver.solve(score))).transpose();
     // With its part of what errors of the columns did, by the weight of its rows.
     result.score[g] = score + gram * fit.correction;
     result.gram[g] = gram;

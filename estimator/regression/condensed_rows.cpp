@@ -121,7 +121,7 @@ CondensedRows condensed_rows(const Eigen::Ref<const MatrixXd>& design, const Eig
   MatrixXd both(design.rows(), all);
   both.leftCols(columns) = design * size.cwiseInverse().asDiagonal();
   both.col(columns) = response;
-  const Eigen::HouseholderQR<Eigen::Ref<MatrixXd>> qr(both);  // in place
+  const Eigen::HouseholderQR<MatrixXd> qr(both);
   const MatrixXd triangle = qr.matrixQR().topRows(all).triangularView<Eigen::Upper>();
   result.design = triangle.leftCols(columns) * size.asDiagonal();
   result.response = triangle.col(columns);

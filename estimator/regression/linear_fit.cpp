@@ -92,12 +92,13 @@ Coordinates without_attenuation(const VectorXd& seen, const Directions& directio
     const VectorXd left =
         errors.with_response - errors.gram * (fit.basis(Eigen::all, directions.noisy) * seen(directions.noisy));
     const auto count = static_cast<Index>(clear.size());
-    const Eigen::LDLT<MatrixXd> kept(MatrixXd::Identity(count, count) - basis.transpose() * errors.gram * basis);
+    const Eigen::LDLT<MatrixXd> kept(
+        MatrixXd(MatrixXd::Identity(count, count) - basis.transpose() * errors.gram * basis));
     if (kept.isPositive() && kept.vectorD().minCoeff() > smallest_signal()) {
-      const VectorXd corrected = kept.solve(seen(clear) - basis.transpose() * left);
+      const VectorXd corrected = kept.solve(VectorXd(seen(clear) - basis.transpose() * left));
       fit.bias = basis * (seen(clear) - corrected);
       result.value(clear) = corrected;
-      result.spread(Eigen::all, clear) = kept.solve(basis.transpose()).transpose();
+      result.spread(Eigen::all, clear) = kept.solve(MatrixXd(basis.transpose())).transpose();
       fit.kept(clear, clear) = kept.reconstructedMatrix();
     }
   }

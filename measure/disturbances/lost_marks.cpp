@@ -34,6 +34,15 @@ double hits(const std::vector<ValueLevel>& levels, std::size_t level) {
   return std::min(mean, 2 * (mean - 1));
 }
 
+// Whether chance hits a value so often, with no more than `alarm` for its probability. P(N >= n) is at least
+// P(N = n) = exp(-mean) mean^n/n!, which decides most values without the incomplete gamma function.
+bool hit_by_chance(std::size_t times, double mean, double alarm) {
+  if (mean > 1) return true;
+  double as_often = std::exp(-mean);
+  for (std::size_t n = 1; n <= times && as_often > alarm; ++n) as_often *= mean / static_cast<double>(n);
+  return as_often > alarm || poisson_upper_tail(times, mean) > alarm;
+}
+
 struct Run {
   std::size_t begin = 0, end = 0;
 };
@@ -137,10 +146,10 @@ LostMarks find_lost_marks(std::span<const double> x, const std::vector<double>& 
   std::optional<Visits> most;
   for (std::size_t k = 1; k + 1 < levels.size(); ++k) {
     const double mean = hits(levels, k);
-    if (mean > 1 || poisson_upper_tail(levels[k].count, mean) > level_alarm) continue;
+    if (hit_by_chance(levels[k].count, mean, level_alarm)) continue;
     Visits visits(x, levels[k].value, same);
     if (most && visits.runs() <= most->runs()) continue;
-    if (poisson_upper_tail(visits.runs(), mean) <= level_alarm && visits.come_from_far())
+    if (!hit_by_chance(visits.runs(), mean, level_alarm) && visits.come_from_far())
       most.emplace(std::move(visits));
   }
   return most ? most->marks() : LostMarks{};

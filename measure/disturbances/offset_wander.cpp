@@ -138,12 +138,14 @@ std::optional<Zero> zero_of(const SearchedRecord& record, std::size_t c, std::si
   if (rows <= x.cols()) return std::nullopt;
   const Eigen::CompleteOrthogonalDecomposition<MatrixXd> all(x), without(x.leftCols(1 + own));
   // Of the pseudo-inverse one row: the whole takes a square of the blocks.
-  const VectorXd inverse = all.transpose().solve(VectorXd::Unit(x.cols(), 0)), fit = all.solve(blocks.mean);
+  const VectorXd inverse = all.transpose().solve(VectorXd(VectorXd::Unit(x.cols(), 0))),
+                 fit = all.solve(blocks.mean);
   Zero zero;
   zero.freedom = static_cast<double>(rows - all.rank());
   const double noise = (blocks.mean - x * fit).squaredNorm(), variance = noise / zero.freedom;
   if (!(variance > 0)) return std::nullopt;
-  const double slow = (blocks.mean - x.leftCols(1 + own) * without.solve(blocks.mean)).squaredNorm() - noise;
+  const double slow =
+      (blocks.mean - x.leftCols(1 + own) * VectorXd(without.solve(blocks.mean))).squaredNorm() - noise;
   const auto terms = static_cast<double>(all.rank() - without.rank());
   if (terms > 0) zero.probability = f_upper_tail(slow / (terms * variance), terms, zero.freedom);
   zero.wander = x.rightCols(slow_terms) * fit.tail(slow_terms);

@@ -67,7 +67,7 @@ NoiseWhitening::NoiseWhitening(const Eigen::Ref<const MatrixXd>& left, Index cha
     covariance.diagonal().array() += floor * floor;
     const MatrixXd lower = covariance.llt().matrixL();
     mixing_.push_back(
-        lower.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(channels, channels)).transpose());
+        lower.triangularView<Eigen::Lower>().solve(MatrixXd(MatrixXd::Identity(channels, channels))).transpose());
   }
 }
 

@@ -100,7 +100,7 @@ Orthonormal orthonormal(const MatrixXd& columns) {
 // Least squares; of columns that depend on each other some are left out.
 MatrixXd solved(const MatrixXd& columns, const MatrixXd& data) {
   if (const std::optional<Orthonormal> basis = by_cholesky(columns))
-    return basis->r.triangularView<Eigen::Upper>().solve(basis->q.transpose() * data);
+    return basis->r.triangularView<Eigen::Upper>().solve(MatrixXd(basis->q.transpose() * data));
   return columns.colPivHouseholderQr().solve(data);
 }
 
@@ -164,7 +164,8 @@ FitReport refine_once(const Separable& problem, const VectorXd& weight, const Ve
     design = design * scale.asDiagonal();
     const Orthonormal basis = orthonormal(design);
     const MatrixXd shadow = basis.q.transpose() * data;
-    const MatrixXd coefficients = scale.asDiagonal() * basis.r.triangularView<Eigen::Upper>().solve(shadow);
+    const MatrixXd coefficients =
+        scale.asDiagonal() * MatrixXd(basis.r.triangularView<Eigen::Upper>().solve(shadow));
     const MatrixXd left = data - basis.q * shadow;
     derivatives -= basis.q * (basis.q.transpose() * derivatives);
     MatrixXd moments = MatrixXd::Zero(2 * n, 2 * n);
@@ -317,7 +318,7 @@ std::vector<PoleInfluence> pole_influences(const Eigen::Ref<const MatrixXd>& sam
   }
   const VectorXd shorten = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const Eigen::LDLT<MatrixXd> scaled(MatrixXd(shorten.asDiagonal() * hessian * shorten.asDiagonal()));
-  const MatrixXd inverse = shorten.asDiagonal() * scaled.solve(MatrixXd(shorten.asDiagonal()));
+  const MatrixXd inverse = shorten.asDiagonal() * MatrixXd(scaled.solve(MatrixXd(shorten.asDiagonal())));
   std::vector<PoleInfluence> result(static_cast<std::size_t>(n),
                                     {MatrixXd(rows, signals), MatrixXd(rows, signals)});
   for (Index s = 0; s < signals; ++s) {

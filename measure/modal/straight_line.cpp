@@ -147,13 +147,13 @@ LawPosterior posterior_of(const Regression& full, Index degree, double change_sd
   before.head(degree).setConstant(change_sd * change_sd);
   const MatrixXd expected = errors + MatrixXd(before.asDiagonal());
   const Eigen::LDLT<MatrixXd> solver(expected);
-  const double square = seen.dot(solver.solve(seen)), freedom = full.degrees_of_freedom;
+  const double square = seen.dot(VectorXd(solver.solve(seen))), freedom = full.degrees_of_freedom;
   LawPosterior result;
   result.log_evidence = -0.5 * solver.vectorD().array().max(1e-300).log().sum();
   result.log_evidence -= std::isinf(freedom)
                              ? 0.5 * square
                              : 0.5 * (freedom + static_cast<double>(powers)) * std::log1p(square / freedom);
-  const MatrixXd keep = before.asDiagonal() * solver.solve(MatrixXd::Identity(powers, powers));
+  const MatrixXd keep = before.asDiagonal() * MatrixXd(solver.solve(MatrixXd(MatrixXd::Identity(powers, powers))));
   const VectorXd mean = keep * seen;
   const MatrixXd left = MatrixXd(before.asDiagonal()) - keep * MatrixXd(before.asDiagonal());
   const VectorXd along = errors.ldlt().solve(VectorXd(full.covariance.col(0).tail(powers)));

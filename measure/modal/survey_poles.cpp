@@ -42,7 +42,7 @@ std::vector<TwoInOne> two_in_one(const FreeMotions& motions, const std::vector<P
   const auto shape = [&](std::size_t i) -> Eigen::VectorXcd {
     const Eigen::MatrixXcd residues =
         fit.residues.row(row[i]).reshaped(motions.channels, motions.samples.cols() / motions.channels);
-    const Eigen::BDCSVD<Eigen::MatrixXcd> svd(residues, Eigen::ComputeThinU);
+    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(residues, Eigen::ComputeThinU);
     return svd.singularValues()(0) * svd.matrixU().col(0);
   };
   for (std::size_t i = candidates; i < support.size(); ++i) {

@@ -64,10 +64,10 @@ class Fitter {
     MatrixXd gram = MatrixXd::Zero(linear_, linear_);
     gram.selfadjointView<Eigen::Lower>().rankUpdate(p.basis.transpose());
     p.gram.compute(gram.selfadjointView<Eigen::Lower>());
-    p.coefficients = p.gram.solve(p.basis.transpose() * y_);
+    p.coefficients = p.gram.solve(MatrixXd(p.basis.transpose() * y_));
     p.residual = y_ - p.basis * p.coefficients;
     // A second pass takes back what forming the Gram matrix lost.
-    const MatrixXd correction = p.gram.solve(p.basis.transpose() * p.residual);
+    const MatrixXd correction = p.gram.solve(MatrixXd(p.basis.transpose() * p.residual));
     p.coefficients += correction;
     p.residual -= p.basis * correction;
     const double lost =
@@ -91,7 +91,7 @@ class Fitter {
                                                    p.coefficients(2 * j, c) * p.basis.col(2 * j + 1));
         slope += turned * tones_.coupling.row(j);
       }
-      slope -= p.basis * p.gram.solve(p.basis.transpose() * slope);
+      slope -= p.basis * MatrixXd(p.gram.solve(MatrixXd(p.basis.transpose() * slope)));
       hessian += p.weight(c) * slope.transpose() * slope;
       gradient += p.weight(c) * slope.transpose() * p.residual.col(c);
     }
@@ -120,12 +120,12 @@ class Fitter {
         if (size < 1e-5 * bin) result.ending = SolverEnding::converged;
       }
       normal_equations(p, hessian, gradient);
-      const MatrixXd covariance = hessian.ldlt().solve(MatrixXd::Identity(unknowns, unknowns));
+      const MatrixXd covariance = hessian.ldlt().solve(MatrixXd(MatrixXd::Identity(unknowns, unknowns)));
       result.free_sd = covariance.diagonal().cwiseMax(0).cwiseSqrt();
     }
     result.free = u;
     result.noise_sd = p.weight.cwiseInverse().cwiseSqrt();
-    const MatrixXd inverse = p.gram.solve(MatrixXd::Identity(linear_, linear_));
+    const MatrixXd inverse = p.gram.solve(MatrixXd(MatrixXd::Identity(linear_, linear_)));
     result.amplitude.resize(count_, y_.cols());
     result.amplitude_sd.resize(count_, y_.cols());
     result.slope.resize(varying_, y_.cols());

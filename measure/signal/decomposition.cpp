@@ -28,7 +28,7 @@ MatrixXd linear_amplitudes(const MatrixXd& functions, const Eigen::Ref<const Mat
   const MatrixXd scaled = functions * scale.asDiagonal();
   if (!scaled.allFinite())
     return MatrixXd::Constant(functions.cols(), channels.cols(), std::numeric_limits<double>::quiet_NaN());
-  return scale.asDiagonal() * scaled.colPivHouseholderQr().solve(channels);
+  return scale.asDiagonal() * MatrixXd(scaled.colPivHouseholderQr().solve(channels));
 }
 
 std::vector<Pole> known_poles(const DecompositionOptions& options) {

@@ -17,7 +17,7 @@ MatrixXd modal_filter(const Eigen::Ref<const MatrixXd>& shapes) {
   if (!tells_modes_apart(shapes))
     throw std::invalid_argument("the channels of a modal filter cannot tell the modes apart");
   const Eigen::JacobiSVD<MatrixXd> svd(shapes, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  return svd.solve(MatrixXd::Identity(shapes.rows(), shapes.rows()));
+  return svd.solve(MatrixXd(MatrixXd::Identity(shapes.rows(), shapes.rows())));
 }
 
 }  // namespace secular

@@ -29,7 +29,7 @@ PoleCovariance::PoleCovariance(std::span<const Pole> of, const PoleMoments& m, c
     for (Index c = 0; c < amplitudes.cols(); ++c)
       drag.middleRows(c * functions, functions) = half * turns.drag(m, c);
   }
-  own = m.gram.solve(MatrixXd::Identity(functions, functions));
+  own = m.gram.solve(MatrixXd(MatrixXd::Identity(functions, functions)));
   determined = true;
 }
 

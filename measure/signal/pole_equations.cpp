@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 
 Gram::Gram(const MatrixXd& gram) {
   scale = gram.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-  factor.compute(scale.asDiagonal() * gram * scale.asDiagonal());
+  factor.compute(MatrixXd(scale.asDiagonal() * gram * scale.asDiagonal()));
   rcond = factor.info() == Eigen::Success ? factor.rcond() : 0;
 }
 

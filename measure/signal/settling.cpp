@@ -35,7 +35,8 @@ Trend trend_of(const VectorXd& values, const EnsembleLayout& layout, int degree)
   for (Index j = 0; j < unknowns; ++j) design.col(j) = x.array().pow(static_cast<double>(j));
   for (Index i = 0; i < count; ++i)
     for (Index j = 0; j < count; ++j) correlation(i, j) = ensemble_correlation(layout, std::abs(i - j));
-  const MatrixXd inverse = (design.transpose() * design).ldlt().solve(MatrixXd::Identity(unknowns, unknowns));
+  const MatrixXd inverse =
+      MatrixXd(design.transpose() * design).ldlt().solve(MatrixXd(MatrixXd::Identity(unknowns, unknowns)));
   const MatrixXd pseudo = inverse * design.transpose();
   const MatrixXd keep = MatrixXd::Identity(count, count) - design * pseudo;
   const MatrixXd seen = keep * correlation;

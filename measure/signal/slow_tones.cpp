@@ -57,7 +57,8 @@ SlowToneFit fit_slow_tones(const Eigen::Ref<const MatrixXd>& channels, double ra
   const MatrixXd coefficients = qr.solve(channels);
   const MatrixXd residual = channels - basis * coefficients;
   const MatrixXd upper = qr.matrixQR().topRows(unknowns).triangularView<Eigen::Upper>();
-  const MatrixXd inverse = upper.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(unknowns, unknowns));
+  const MatrixXd inverse =
+      upper.triangularView<Eigen::Upper>().solve(MatrixXd(MatrixXd::Identity(unknowns, unknowns)));
   const VectorXd variance = inverse.rowwise().squaredNorm();  // over the noise's
 
   SlowToneFit fit;
@@ -91,7 +92,7 @@ SlowToneWeights slow_tone_weights(Index samples, double rate, const std::vector<
   const Eigen::HouseholderQR<MatrixXd> qr(basis);
   const MatrixXd directions = qr.householderQ() * MatrixXd::Identity(samples, basis.cols());
   const MatrixXd upper = qr.matrixQR().topRows(basis.cols());
-  const MatrixXd inverse = upper.triangularView<Eigen::Upper>().solve(directions.transpose());
+  const MatrixXd inverse = upper.triangularView<Eigen::Upper>().solve(MatrixXd(directions.transpose()));
   const double half = 0.5 * static_cast<double>(samples - 1) / rate;
   const auto tones = static_cast<Index>(frequencies.size());
   SlowToneWeights weights;

@@ -113,7 +113,7 @@ std::optional<NoiseDirection> smallest_direction(const MatrixXd& triangle, doubl
 }
 
 NoiseDirection noise_direction(const MatrixXd& a, const Eigen::LLT<MatrixXd>& metric) {
-  const MatrixXd whitened = metric.matrixL().solve(a.transpose()).transpose();
+  const MatrixXd whitened = metric.matrixL().solve(MatrixXd(a.transpose())).transpose();
   const Eigen::HouseholderQR<MatrixXd> qr(whitened);
   NoiseDirection found;
   if (const auto smallest = smallest_direction(qr.matrixQR(), 1e-14)) {
@@ -131,7 +131,7 @@ NoiseDirection noise_direction(const MatrixXd& a, const Eigen::LLT<MatrixXd>& me
 
 // Smallest eigenvalue of R^T R in the metric, to the digits that a weight needs. R L^-T is a triangle, as R is.
 double noise_level(const MatrixXd& r, const Eigen::LLT<MatrixXd>& metric) {
-  const MatrixXd whitened = metric.matrixL().solve(r.transpose());
+  const MatrixXd whitened = metric.matrixL().solve(MatrixXd(r.transpose()));
   if (const auto smallest = smallest_direction(whitened.transpose(), 1e-7)) return smallest->eigenvalue;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(whitened * whitened.transpose(), Eigen::EigenvaluesOnly);
   return std::max(0.0, spectrum.eigenvalues()(0));
@@ -140,7 +140,7 @@ double noise_level(const MatrixXd& r, const Eigen::LLT<MatrixXd>& metric) {
 VectorXd monic_solution(const MatrixXd& equations) {
   const Index n = equations.cols() - 1;
   VectorXd solution(n + 1);
-  solution.head(n) = -equations.leftCols(n).colPivHouseholderQr().solve(equations.col(n));
+  solution.head(n) = -VectorXd(equations.leftCols(n).colPivHouseholderQr().solve(VectorXd(equations.col(n))));
   solution(n) = 1;
   return solution;
 }

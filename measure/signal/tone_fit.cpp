@@ -49,7 +49,7 @@ class HarmonicTone {
       const auto [gradient, hessian] = normal_equations(now);
       MatrixXd damped = hessian;
       damped.diagonal() *= 1 + damping;
-      const VectorXd step = damped.ldlt().solve(-gradient);
+      const VectorXd step = damped.ldlt().solve(VectorXd(-gradient));
       if (!step.allFinite()) {
         result.ending = SolverEnding::ran_away;
         break;
@@ -152,7 +152,7 @@ class HarmonicTone {
     MatrixXd hessian = MatrixXd::Zero(unknowns_, unknowns_);
     for (Index c = 0; c < y_.cols(); ++c) {
       MatrixXd free = sensitivities(p, c);
-      free -= p.basis * p.qr.solve(free);
+      free -= p.basis * MatrixXd(p.qr.solve(free));
       gradient -= p.weight(c) * (free.transpose() * p.residual.col(c));
       hessian += p.weight(c) * (free.transpose() * free);
     }
@@ -170,7 +170,8 @@ class HarmonicTone {
     const double lost =
         static_cast<double>(linear_) + static_cast<double>(unknowns_) / static_cast<double>(y_.cols());
     const double correction = n / (n - lost);
-    const MatrixXd covariance = correction * hessian.ldlt().solve(MatrixXd::Identity(unknowns_, unknowns_));
+    const MatrixXd covariance =
+        correction * hessian.ldlt().solve(MatrixXd(MatrixXd::Identity(unknowns_, unknowns_)));
     result.frequency_sd = std::sqrt(std::max(0.0, covariance(0, 0))) / half_;
     if (options_.fit_growth) result.growth_sd = std::sqrt(std::max(0.0, covariance(1, 1))) / half_;
     const auto harmonics = static_cast<Index>(options_.harmonics.size());
@@ -178,7 +179,8 @@ class HarmonicTone {
     result.amplitude_sd.resize(harmonics, y_.cols());
     result.offset = VectorXd::Zero(y_.cols());
     result.noise_sd.resize(y_.cols());
-    const MatrixXd inverse = (p.basis.transpose() * p.basis).ldlt().solve(MatrixXd::Identity(linear_, linear_));
+    const MatrixXd inverse =
+        MatrixXd(p.basis.transpose() * p.basis).ldlt().solve(MatrixXd(MatrixXd::Identity(linear_, linear_)));
     for (Index c = 0; c < y_.cols(); ++c) {
       const double variance = correction / p.weight(c);
       result.noise_sd(c) = std::sqrt(variance);
@@ -224,7 +226,8 @@ KnownFrequencyFit known_frequency_components(const Eigen::Ref<const MatrixXd>& c
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(basis);
   const MatrixXd coefficients = qr.solve(channels);
   const MatrixXd residual = channels - basis * coefficients;
-  const MatrixXd inverse = (basis.transpose() * basis).ldlt().solve(MatrixXd::Identity(linear, linear));
+  const MatrixXd inverse =
+      MatrixXd(basis.transpose() * basis).ldlt().solve(MatrixXd(MatrixXd::Identity(linear, linear)));
   KnownFrequencyFit fit;
   fit.amplitude.resize(count, channels.cols());
   fit.amplitude_sd.resize(count, channels.cols());

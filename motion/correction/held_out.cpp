@@ -77,8 +77,8 @@ HeldOutPrediction followed(const ModalRecord& record, const VectorXd& parameters
     slope.col(0) = (motion_from(record, parameters, q + dq, v, count) - base) / dq;
     slope.col(1) = (motion_from(record, parameters, q, v + dv, count) - base) / dv;
     slope.col(2).setOnes();
-    const VectorXd step = slope.colPivHouseholderQr().solve(record.modal.segment(span.first, count) - base -
-                                                            VectorXd::Constant(count, offset));
+    const VectorXd step = slope.colPivHouseholderQr().solve(
+        VectorXd(record.modal.segment(span.first, count) - base - VectorXd::Constant(count, offset)));
     q += step(0);
     v += step(1);
     offset += step(2);

@@ -42,7 +42,7 @@ class Peaks {
     const Index n = dimension();
     const MatrixXd jacobian = scaled_.jacobian(y);
     VectorXd along = VectorXd::Zero(y.size());
-    along.head(n) = -jacobian.leftCols(n).partialPivLu().solve(jacobian.col(n));
+    along.head(n) = -VectorXd(jacobian.leftCols(n).partialPivLu().solve(VectorXd(jacobian.col(n))));
     along(n) = 1;
     along.normalize();
     VectorXd value(n + 1);

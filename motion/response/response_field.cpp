@@ -180,7 +180,7 @@ ResponseField::Frame ResponseField::frame_at(const ConstVector& parameters, cons
       square.row(s) = symmetries_.col(k).transpose();
       turning(s) = (frame.rate(k) / frame.amplitude(k)).imag();
     }
-    frame.shift = symmetries_.transpose() * square.partialPivLu().solve(turning);
+    frame.shift = symmetries_.transpose() * VectorXd(square.partialPivLu().solve(turning));
     for (Index k = 0; k < count; ++k) frame.rate(k) -= Complex(0, frame.shift(k)) * frame.amplitude(k);
   }
   return frame;

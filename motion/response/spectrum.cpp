@@ -36,7 +36,7 @@ Spectrum spectrum_of(const Eigen::Ref<const MatrixXd>& jacobian) {
     spectrum.eigenvalues = VectorXcd::Constant(jacobian.rows(), std::numeric_limits<double>::quiet_NaN());
     return spectrum;
   }
-  Eigen::EigenSolver<MatrixXd> solver(jacobian, false);
+  Eigen::EigenSolver<MatrixXd> solver(MatrixXd(jacobian), false);
   // Matrices of a symmetric field, with every eigenvalue twice over, can stall the QR algorithm: reflected ones do
   // not.
   for (int attempt = 1; solver.info() != Eigen::Success && attempt < 4; ++attempt) {

@@ -106,7 +106,7 @@ std::vector<double> FullEquations::acceleration(double t, const std::vector<doub
           residual(k, a) - force(static_cast<Eigen::Index>(k));
     a[j] = 0;
   }
-  const Eigen::VectorXd solution = mass.partialPivLu().solve(-force);
+  const Eigen::VectorXd solution = mass.partialPivLu().solve(Eigen::VectorXd(-force));
   return {solution.data(), solution.data() + size};
 }
 

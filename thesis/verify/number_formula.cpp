@@ -249,7 +249,7 @@ class Evaluation {
 
   // A singular value moves by no more than the matrix; a vector by that over the distance to the next value.
   static Computed singular(const std::string& name, const Computed& m) {
-    const Eigen::BDCSVD<Numbers> svd(m.value, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Numbers> svd(m.value, Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::VectorXd& values = svd.singularValues();
     const double moved = m.rounding.norm();
     if (name == "singular")
