@@ -23,9 +23,9 @@
 #include "motion/correction/cubic_sensor.hpp"
 #include "motion/correction/decay_harmonics.hpp"
 #include "motion/correction/free_phases.hpp"
+#include "motion/correction/gain_drift.hpp"
 #include "motion/correction/gain_step.hpp"
 #include "motion/correction/low_pass.hpp"
-#include "motion/correction/records_apart.hpp"
 
 namespace secular {
 namespace {
@@ -215,17 +215,18 @@ void judge_step(const std::optional<GainStep>& step, const std::vector<Observati
       id.campaign.records[step->record].file, 100 * std::expm1(step->size), step->at_s, allowed));
 }
 
-/// Decays that tell other numbers than all else: numbers are allowed what each moves. docs/inference.md (64).
-void judge_records(const std::vector<RecordApart>& apart, Identification& id) {
-  for (const RecordApart& one : apart) {
-    const std::string& file = id.campaign.records[one.record].file;
-    allow_for_other(id.estimate, one.without, "it moves where " + file + " is left out, which contradicts all else",
-                    one.counts);
-    id.estimate.warnings.push_back(fmt::format(
-        "{}: its numbers contradict those of all other records, as where its sensitivity is another one: numbers are "
-        "allowed what they move by without it",
-        file));
-  }
+/// A sensitivity that drifts in every dwell alike: the one at their begin may be the right one. docs/inference.md
+/// (64).
+void judge_drift(const std::vector<ObservationSet>& observed, const EstimateTask& task, Identification& id) {
+  const auto drift = gain_drift(id.measured);
+  if (!drift) return;
+  const std::string allowed =
+      allow_for_estimate_without("a drift of the sensitivity", observed, task, id.estimate,
+                                 [&](const ObservationSet& set) { return with_first_gain(set, *drift); });
+  id.estimate.warnings.push_back(
+      fmt::format("amplitudes over their excitation change by {:.2g} % along every dwell alike, as where a sensitivity "
+                  "drifts: {}",
+                  100 * std::expm1(*drift * longest_dwell_s(id.measured)), allowed));
 }
 
 /// `read`: what reads the records that were observed; none: they are not read again.
@@ -247,7 +248,6 @@ void estimate_sets(const IdentificationRequest& request, const RecordReader* rea
     PhasedEstimate found = estimate_with_phases(observed, task);
     const std::vector<FoundFault> faults = faults_in_decays(found.of, task);
     const std::optional<GainStep> step = gain_step(found.of);
-    const std::vector<RecordApart> apart = records_apart(found.of, task);
     id.estimate = std::move(found.of.estimate);
     id.measured = std::move(found.of.measured);
     id.replayed = std::move(found.of.replayed);
@@ -258,7 +258,7 @@ void estimate_sets(const IdentificationRequest& request, const RecordReader* rea
     judge_sensor(observed, task, projection.derivatives, id);
     judge_decays(faults, observed, task, id);
     judge_step(step, observed, task, id);
-    judge_records(apart, id);
+    judge_drift(observed, task, id);
   } catch (const NothingObserved& nothing) {  // here it is the campaign itself
     throw InputError(id.campaign.folder.string(), "", nothing.what());
   }

@@ -217,9 +217,13 @@ struct Explained {
   double chi_squared = 0;
 };
 
+/// Whether more sizes are tried hangs on whether the first slope promises this share of what would count.
+constexpr double promising = 0.25;
+
 // By Gauss-Newton steps with slopes from size to size. Poles have no negative size. Nothing where no size explains
-// more than none.
-std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, const VectorXd& without) {
+// more than none, or where the first slope does not promise a good part of `least_gain` in chi-squared.
+std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, const VectorXd& without,
+                                   double least_gain) {
   std::optional<Explained> best;
   VectorXd before = without;
   double size_before = 0, size = first_size;
@@ -235,6 +239,8 @@ std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, co
     if (chi_squared < (best ? best->chi_squared : without.squaredNorm())) best = Explained{fault, chi_squared};
     const VectorXd slope = (here - before) / (size - size_before);
     if (!(slope.squaredNorm() > 0)) break;
+    if (step == 0 && std::pow(slope.dot(without), 2) / slope.squaredNorm() < promising * least_gain)
+      return std::nullopt;
     double next = size - slope.dot(here) / slope.squaredNorm();
     if (fault.kind == ChainFault::low_pass && next <= 0) {
       if (best) break;
@@ -255,20 +261,24 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
   const DecayLines lines(found, task);
   if (lines.empty() || !(lines.freedom() >= 1)) return {};
   const VectorXd without = lines.left(lines.fault(ChainFault::low_pass, 1));
+  const double least_gain =
+      f_upper_quantile(estimator_thresholds().contradiction_alarm / kinds, 1, lines.freedom());
   std::vector<Explained> explained;
+  const auto search = [&](ChainFault kind, int poles) {
+    auto one = best_size(lines, lines.fault(kind, poles), without, least_gain);
+    if (one) explained.push_back(*one);
+    return one.has_value();
+  };
   for (const int poles : numbers_of_poles)
-    if (auto one = best_size(lines, lines.fault(ChainFault::low_pass, poles), without))
-      explained.push_back(std::move(*one));
+    if (!search(ChainFault::low_pass, poles)) break;
   for (const ChainFault law : {ChainFault::even_law, ChainFault::cubic_law})
-    if (lines.one_channel())
-      if (auto one = best_size(lines, lines.fault(law, 1), without)) explained.push_back(std::move(*one));
+    if (lines.one_channel()) search(law, 1);
   if (explained.empty()) return {};
   const double least = std::min_element(explained.begin(), explained.end(), [](const auto& a, const auto& b) {
                          return a.chi_squared < b.chi_squared;
                        })->chi_squared;
   const double scatter = std::max(1.0, least / lines.freedom());
-  const double by_chance =
-      f_upper_quantile(estimator_thresholds().contradiction_alarm / kinds, 1, lines.freedom()) * scatter;
+  const double by_chance = least_gain * scatter;
   std::vector<FoundFault> result;
   for (const Explained& one : explained) {
     const double gain = without.squaredNorm() - one.chi_squared;

@@ -18,19 +18,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Windows on either side of a step: at least as many as two unknowns of a slow course and a step need there.
-constexpr std::size_t fewest_beside = 3, most_beside = 5;
-/// A constant, a slope, a curvature and a step.
-constexpr Index unknowns = 4;
+/// Windows on either side of a step: two thirds of a decay at most.
+constexpr std::size_t fewest_beside = 3, most_beside = 8;
+/// A slow course of third degree, and a step.
+constexpr Index unknowns = 5;
 /// Of a window's length, by which its neighbour may seem to overlap it.
 constexpr double touching = 1e-3;
 
-// Windows of one decay without a sample in common: logarithm of the amplitude (real part) and its phase, and their
-// rates, less what the full equations do.
+// Windows of one decay without a sample in common: logarithm of the amplitude (real part) and its phase, less what the
+// full equations do.
 struct Course {
-  std::vector<double> time, length;
-  std::vector<std::complex<double>> value, slope;
-  std::vector<double> value_sd, slope_sd;
+  std::vector<double> time, length, sd;
+  std::vector<std::complex<double>> value;
 };
 
 std::size_t largest_mode_of(const Observation& o) {
@@ -66,10 +65,8 @@ Course course_of(const ObservationSet& set, const ObservationSet& replayed,
     course.time.push_back(o.centre_s);
     course.length.push_back(o.length_s);
     measured.emplace_back(std::log(std::abs(o.amplitude[mode])), std::arg(o.amplitude[mode]));
-    course.value_sd.push_back(o.amplitude_sd[mode] / std::abs(o.amplitude[mode]));
-    course.slope_sd.push_back(o.growth_sd[mode]);
+    course.sd.push_back(o.amplitude_sd[mode] / std::abs(o.amplitude[mode]));
     rate.push_back(full.rate[mode]);
-    course.slope.push_back(o.rate[mode] - full.rate[mode]);
   }
   for (std::size_t j = 0; j < measured.size(); ++j) {
     if (j == 0) {
@@ -91,21 +88,17 @@ struct Step {
 Step step_at(const Course& course, std::size_t i) {
   const std::size_t from = i > most_beside ? i - most_beside : 0,
                     to = std::min(course.time.size() - 1, i + most_beside);
-  const auto rows = static_cast<Index>(2 * (to - from));
+  const auto rows = static_cast<Index>(to - from);
   MatrixXd matrix(rows, unknowns);
   MatrixXd target(rows, 2);
   Index at = 0;
   for (std::size_t j = from; j <= to; ++j) {
     if (j == i) continue;
-    const double t = course.time[j] - course.time[i];
-    matrix.row(at) << 1, t, t * t, j > i ? 1 : 0;
+    const double t = (course.time[j] - course.time[i]) / course.length[i];
+    matrix.row(at) << 1, t, t * t, t * t * t, j > i ? 1 : 0;
     target.row(at) << course.value[j].real(), course.value[j].imag();
-    matrix.row(at) /= course.value_sd[j];
-    target.row(at++) /= course.value_sd[j];
-    matrix.row(at) << 0, 1, 2 * t, 0;
-    target.row(at) << course.slope[j].real(), course.slope[j].imag();
-    matrix.row(at) /= course.slope_sd[j];
-    target.row(at++) /= course.slope_sd[j];
+    matrix.row(at) /= course.sd[j];
+    target.row(at++) /= course.sd[j];
   }
   const MatrixXd found = matrix.colPivHouseholderQr().solve(target);
   const double variance = (matrix.transpose() * matrix).inverse()(unknowns - 1, unknowns - 1);
