@@ -90,7 +90,7 @@ class DecayLines {
       const Observation &is = sets[line.set].observations[line.observation],
                         &was = sets_[line.set].observations[line.observation];
       const Complex predicted = line.replayed + prediction(line, there, is) - prediction(line, here_, was);
-      put((measured(line, is) - predicted) / line.sd, line, rows, at);
+      put((measured(line, is) - predicted) / (line.block ? is.harmonic_sd[*line.block] : line.sd), line, rows, at);
     }
     return rows - orthonormal_ * (orthonormal_.transpose() * rows);
   }
