@@ -82,6 +82,11 @@ void add_import_command(CLI::App* command, Action& chosen) {
           "rest; NAME=VARIABLE:... renames it; ...:UNIT:FACTOR where a number x means x*FACTOR in UNIT")
       ->expected(1)
       ->take_all();
+  command
+      ->add_option("--delay", import.delays,
+                   "NAME=S: samples of a channel come S seconds late against the others', by a mere delay")
+      ->expected(1)
+      ->take_all();
   command->add_option("--time", import.time,
                       "variable that holds the time (default: the one called t or time), in seconds where neither "
                       "the file nor NAME:UNIT "

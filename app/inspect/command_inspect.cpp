@@ -80,7 +80,8 @@ void print_channels(const Campaign& campaign) {
   std::vector<std::vector<std::string>> rows = {{"name", "role", "quantity", "unit"}};
   for (const Channel& channel : campaign.channels)
     rows.push_back({channel.name, to_string(channel.role), to_string(channel.quantity),
-                    channel.unit + (channel.frame == Frame::absolute ? ", absolute" : "")});
+                    channel.unit + (channel.frame == Frame::absolute ? ", absolute" : "") +
+                        (channel.delay_s != 0 ? fmt::format(", {:g} s late", channel.delay_s) : "")});
   fmt::print("\n{}\n{}", count(campaign.channels.size(), "channel"), aligned(rows, rows.front().size()));
   if (campaign.modal_basis)
     fmt::print("modal basis: {} from {}\n", fmt::join(campaign.modal_basis->modes, ", "),

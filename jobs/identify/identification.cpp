@@ -21,7 +21,10 @@
 #include "measure/disturbances/disturbance_watch.hpp"
 #include "measure/observe/modal_projection.hpp"
 #include "motion/correction/cubic_sensor.hpp"
+#include "motion/correction/decay_harmonics.hpp"
 #include "motion/correction/free_phases.hpp"
+#include "motion/correction/gain_drift.hpp"
+#include "motion/correction/gain_step.hpp"
 #include "motion/correction/low_pass.hpp"
 
 namespace secular {
@@ -77,9 +80,11 @@ EstimateOptions options_of(const IdentificationRequest& request) {
 }
 
 /// What numbers are allowed where they may be those of `other`, in words. `without`: of what the other is free.
-std::string allow_for(Estimate& estimate, const std::string& without, const std::function<Estimate()>& other) {
+/// `share`: how much of what they move by.
+std::string allow_for(Estimate& estimate, const std::string& without, const std::function<Estimate()>& other,
+                      double share = 1) {
   try {
-    allow_for_other(estimate, other(), "it moves where " + without + " is taken off");
+    allow_for_other(estimate, other(), "it moves where " + without + " is taken off", share);
     return "numbers are allowed what they move by where that is taken off";
   } catch (const NumericalFailure&) {
     doubt_all(estimate, "nothing can be identified where " + without + " is taken off");
@@ -158,6 +163,72 @@ void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTas
       sensor->resonance->name, 100 * std::abs(sensor->third), 300 * std::abs(sensor->third), allowed));
 }
 
+// What is taken off, and how large it is, in words.
+std::pair<std::string, std::string> words_of(const SizedFault& fault) {
+  const double percent = 100 * std::abs(fault.size);
+  switch (fault.kind) {
+    case ChainFault::even_law:
+      return {"the even part of a sensor's law",
+              fmt::format("an even part of a sensor's law, {:.2g} % of second harmonic at the largest motion", percent)};
+    case ChainFault::cubic_law:
+      return {"the cubic part of a sensor's law",
+              fmt::format("a cubic part of a sensor's law, {:.2g} % of third harmonic at the largest motion", percent)};
+    default:
+      return {"a low-pass in the responses",
+              fmt::format("a low-pass of {} in the responses that takes {:.2g} % off amplitudes",
+                          fault.poles == 1 ? "a single pole" : fmt::format("{} equal poles", fault.poles),
+                          100 * (1 - fault.amplitude()))};
+  }
+}
+
+/// Harmonics of decays that the model does not make may be the measuring chain's, whose amplitudes are wrong, too.
+/// docs/inference.md (61), (62).
+void judge_decays(const std::vector<FoundFault>& faults, const std::vector<ObservationSet>& observed,
+                  const EstimateTask& task, Identification& id) {
+  std::string made_by, allowed;
+  for (const FoundFault& one : faults) {
+    const auto [part, words] = words_of(one.fault);
+    made_by += (made_by.empty() ? "" : ", or ") + words;
+    allowed = allow_for(id.estimate, part, [&] {
+      return estimate_with_phases(without_fault(observed, one.fault), task).of.estimate;
+    }, one.counts);
+  }
+  if (!faults.empty())
+    id.estimate.warnings.push_back(fmt::format(
+        "harmonics of the decays are not those that the model makes of their motion. What may have made them: {}; {}. "
+        "Where it is the structure's (a law that the model lacks), `secular diagnose` looks for it",
+        made_by, allowed));
+}
+
+/// A step of the sensitivity in a decay: either of the two may be the right one. docs/inference.md (63).
+void judge_step(const std::optional<GainStep>& step, const std::vector<ObservationSet>& observed,
+                const EstimateTask& task, Identification& id) {
+  if (!step) return;
+  std::string allowed;
+  for (const RightGain right : {RightGain::before, RightGain::behind})
+    allowed = allow_for(id.estimate, "a step of the sensitivity", [&] {
+      return estimate_with_phases(with_one_gain(observed, *step, right), task).of.estimate;
+    }, step->counts);
+  id.estimate.warnings.push_back(fmt::format(
+      "{}: the amplitude steps by {:.2g} % at {:.4g} s and the phase does not, as where a sensitivity changes: {}. "
+      "--to or --from leave one side of it",
+      id.campaign.records[step->record].file, 100 * std::expm1(step->size), step->at_s, allowed));
+}
+
+/// A sensitivity that drifts in every dwell alike: the one at their begin may be the right one. docs/inference.md
+/// (64).
+void judge_drift(const std::vector<ObservationSet>& observed, const EstimateTask& task, Identification& id) {
+  const auto drift = gain_drift(id.measured);
+  if (!drift) return;
+  const std::string allowed =
+      allow_for_estimate_without("a drift of the sensitivity", observed, task, id.estimate,
+                                 [&](const ObservationSet& set) { return with_first_gain(set, *drift); });
+  id.estimate.warnings.push_back(
+      fmt::format("amplitudes over their excitation change by {:.2g} % along every dwell alike, as where a sensitivity "
+                  "drifts: {}",
+                  100 * std::expm1(*drift * longest_dwell_s(id.measured)), allowed));
+}
+
 /// `read`: what reads the records that were observed; none: they are not read again.
 void estimate_sets(const IdentificationRequest& request, const RecordReader* read, Identification& id) {
   const ModalProjection projection = modal_projection(id.campaign, *id.model);
@@ -175,6 +246,8 @@ void estimate_sets(const IdentificationRequest& request, const RecordReader* rea
   try {
     const std::vector<ObservationSet> observed = id.measured;
     PhasedEstimate found = estimate_with_phases(observed, task);
+    const std::vector<FoundFault> faults = faults_in_decays(found.of, task);
+    const std::optional<GainStep> step = gain_step(found.of);
     id.estimate = std::move(found.of.estimate);
     id.measured = std::move(found.of.measured);
     id.replayed = std::move(found.of.replayed);
@@ -183,6 +256,9 @@ void estimate_sets(const IdentificationRequest& request, const RecordReader* rea
     judge_lateness(task, id);
     if (read != nullptr) judge_means(observed, *read, request.window, task, id);
     judge_sensor(observed, task, projection.derivatives, id);
+    judge_decays(faults, observed, task, id);
+    judge_step(step, observed, task, id);
+    judge_drift(observed, task, id);
   } catch (const NothingObserved& nothing) {  // here it is the campaign itself
     throw InputError(id.campaign.folder.string(), "", nothing.what());
   }

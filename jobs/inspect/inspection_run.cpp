@@ -97,7 +97,8 @@ Json campaign_json(const std::string& path, const InspectedCampaign& found) {
                                 {"role", to_string(channel.role)},
                                 {"quantity", to_string(channel.quantity)},
                                 {"unit", channel.unit},
-                                {"frame", channel.frame == Frame::absolute ? "absolute" : "relative"}});
+                                {"frame", channel.frame == Frame::absolute ? "absolute" : "relative"},
+                                {"delay_s", channel.delay_s}});
   if (campaign.modal_basis)
     root["modal_basis"] = {{"channels", campaign.modal_basis->channels},
                            {"modes", campaign.modal_basis->modes},

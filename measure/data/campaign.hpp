@@ -38,6 +38,7 @@ struct Channel {
   std::string unit;
   /// Absolute: samples in files carry the base's acceleration (of base_channel); a WatchedReader takes it out.
   Frame frame = Frame::relative;
+  double delay_s = 0;  ///< by which its samples come late against the others'; a WatchedReader takes it out
 };
 
 /// Mass-normalised mode shapes: modal displacements = pinv(shapes) * channel displacements (thesis Eq. (5.32)).
@@ -97,6 +98,7 @@ struct Record {
   /// At the ends of the file. The record begins where all channels have begun, and ends with the first of them.
   std::vector<Unrecorded> unrecorded{};
   std::size_t cut_off = 0;  ///< samples at both ends, for that reason
+  std::size_t cut_for_delay = 0;  ///< rows at both ends that some channel has no samples for, see Channel::delay_s
   /// Rows, rising, in which a channel holds what it did not measure and nothing around them tells what it would
   /// have.
   std::vector<std::size_t> unusable{};

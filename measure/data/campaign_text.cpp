@@ -14,7 +14,8 @@ std::string campaign_text(const Campaign& campaign) {
     text += "\n[[channel]]\nname = " + toml_string(channel.name) +
             "\nrole = " + toml_string(to_string(channel.role)) +
             "\nquantity = " + toml_string(to_string(channel.quantity)) + "\nunit = " + toml_string(channel.unit) +
-            "\n" + (channel.frame == Frame::absolute ? "frame = \"absolute\"\n" : "");
+            "\n" + (channel.frame == Frame::absolute ? "frame = \"absolute\"\n" : "") +
+            (channel.delay_s != 0 ? "delay_s = " + toml_number(channel.delay_s) + "\n" : "");
   if (campaign.modal_basis) {
     text += "\n[modal_basis]\nchannels = " + toml_list(campaign.modal_basis->channels) +
             "\nmodes = " + toml_list(campaign.modal_basis->modes) + "\nmass_normalised_shapes = [";

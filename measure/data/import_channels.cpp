@@ -168,6 +168,23 @@ DescribedChannel parse_channel(const std::string& text, const Variables& variabl
                   stated->name, to_string(*stated->quantity), stated->unit));
 }
 
+// --delay NAME=S.
+void take_delay(const std::string& text, std::vector<DescribedChannel>& described) {
+  const std::size_t equals = text.rfind('=');
+  const std::string name = text.substr(0, equals);
+  const auto found = std::find_if(described.begin(), described.end(),
+                                  [&](const DescribedChannel& d) { return d.channel.name == name; });
+  if (equals == std::string::npos || found == described.end())
+    throw InputError("--delay " + text, "", "names no channel that is imported",
+                     "NAME=S, by how many seconds a channel is late");
+  const std::string digits = text.substr(equals + 1);
+  double delay = 0;
+  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), delay);
+  if (end.ec != std::errc() || end.ptr != digits.data() + digits.size() || !std::isfinite(delay))
+    throw InputError("--delay " + text, "", "has no number of seconds", "NAME=S, for example tip=0.002");
+  found->channel.delay_s = delay;
+}
+
 }  // namespace
 
 std::string listed_names(const Variables& variables) {
@@ -201,6 +218,7 @@ std::vector<DescribedChannel> describe_channels(const ImportOptions& options, co
       throw InputError(name, "frame", "belongs to no channel", "name a channel that is imported");
     found->channel.frame = Frame::absolute;
   }
+  for (const std::string& text : options.delays) take_delay(text, described);
   if (!any_response)
     throw InputError("--channel", "", "no channel is a response", "describe at least one with the role response");
   return described;

@@ -32,6 +32,7 @@ struct ImportOptions {
   std::string kind;                          ///< --kind
   std::vector<std::string> channels;         ///< --channel NAME[=VARIABLE]:ROLE[:QUANTITY:UNIT]
   std::vector<std::string> absolute;         ///< names of channels that are absolute (Channel::frame)
+  std::vector<std::string> delays;           ///< --delay NAME=S
   std::string time;                          ///< --time; empty: "t", or the one variable that is called time
   std::optional<double> sample_rate_hz;  ///< --sample-rate; checked against the time stamps where both are given
   std::string name;                      ///< --name; empty: the first file's name without extension

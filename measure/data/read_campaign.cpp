@@ -32,7 +32,7 @@ Frame read_frame(const TomlTable& table, const Channel& channel) {
 }
 
 Channel read_channel(const TomlTable& table) {
-  table.refuse_unknown_keys({"name", "role", "quantity", "unit", "frame"});
+  table.refuse_unknown_keys({"name", "role", "quantity", "unit", "frame", "delay_s"});
   Channel channel;
   channel.name = table.string("name");
   if (const std::string fault = channel_name_fault(channel.name); !fault.empty()) table.fail("name", fault);
@@ -47,6 +47,7 @@ Channel read_channel(const TomlTable& table) {
   const std::string fault = unit_fault(channel.quantity, channel.unit);
   if (!fault.empty()) table.fail("unit", fault);
   if (table.has("frame")) channel.frame = read_frame(table, channel);
+  channel.delay_s = table.optional_number("delay_s").value_or(0);
   return channel;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "measure/data/delayed_channels.hpp"
 #include "measure/data/jitter.hpp"
 #include "measure/data/relative_row.hpp"
 #include "numerics/fill_gaps.hpp"
@@ -25,6 +26,11 @@ Record to_relative(const Campaign& campaign, Record record) {
       std::transform(record.channels[c].begin(), record.channels[c].end(), record.channels[*base].begin(),
                      record.channels[c].begin(), std::minus<>());
   return record;
+}
+
+// Channels in step, and relative to the base.
+Record as_motion(const Campaign& campaign, Record record, const std::string& file) {
+  return to_relative(campaign, without_delays(campaign, std::move(record), file));
 }
 
 void make_unusable(Record& record, const std::vector<std::size_t>& rows) {
@@ -76,7 +82,7 @@ ChannelValues values_of(const Record& record, std::size_t channel, std::span<con
 Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
   if (record.row) {
-    record.row = std::make_shared<const LineRow>(relative_to_base(campaign_, *record.row));
+    record.row = std::make_shared<const LineRow>(relative_to_base(campaign_, without_delays(campaign_, *record.row)));
     return record;
   }
   const Seen* known = nullptr;
@@ -95,7 +101,7 @@ Record WatchedReader::read(std::size_t index) {
   if (known != nullptr) {  // it stays where it is, and as it is
     mend(record, known->treatment, seen_channels);
     without(known->clipping);
-    return to_relative(campaign_, std::move(record));
+    return as_motion(campaign_, std::move(record), campaign_.records[index].file);
   }
   Seen seen;
   std::vector<ChannelValues> values;
@@ -113,7 +119,7 @@ Record WatchedReader::read(std::size_t index) {
   without(seen.clipping);
   const std::lock_guard lock(mutex_);
   seen_.emplace(index, std::move(seen));
-  return to_relative(campaign_, std::move(record));
+  return as_motion(campaign_, std::move(record), campaign_.records[index].file);
 }
 
 void WatchedReader::leave_clipped_out() {

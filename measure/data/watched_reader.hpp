@@ -37,7 +37,8 @@ struct Treatment {
 };
 
 /// Reads the records of a campaign and keeps in mind which channels are clipped and where time stamps scatter, for
-/// whoever uses them. Responses that are absolute become relative to the base. Records may be read by several
+/// whoever uses them. Channels that are late come in step, and responses that are absolute become relative to the
+/// base. Records may be read by several
 /// threads, and more than once. The campaign must live as long.
 class WatchedReader {
  public:

@@ -212,6 +212,8 @@ DecayWindow DecayWindows::fit(const MatrixXd& modal, double rate, VectorXd& freq
   window.noise_sd = seen.noise_sd;
   window.degrees_of_freedom = static_cast<double>(seen.degrees_of_freedom);
   read_harmonics(seen, list, o);
+  o.mean.assign(seen.offset.data(), seen.offset.data() + seen.offset.size());
+  o.mean_sd.assign(seen.offset_sd.data(), seen.offset_sd.data() + seen.offset_sd.size());
   const std::size_t excitations = model_.excitations.size();
   o.excitation_frequency.assign(excitations, 0.0);
   o.excitation_frequency_sd.assign(excitations, 0.0);

@@ -73,6 +73,16 @@ struct Ensemble {
   Index begin, count;  // samples
 };
 
+// Samples of an ensemble, where the record says how long they are. Rows that delays took off its ends shorten all
+// ensembles a little, in place of taking one away.
+std::optional<Index> asked_ensemble(const RecordEntry& entry, const Record& record, Index samples) {
+  if (!entry.ensemble_s) return std::nullopt;
+  const auto asked = static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz));
+  const auto cut = static_cast<Index>(record.cut_for_delay);
+  if (cut == 0 || asked <= 0 || samples / asked == (samples + cut) / asked) return asked;
+  return samples / ((samples + cut) / asked);
+}
+
 /// Where frequencies that a resonance leaves free are looked for.
 enum class FreeSearch { near_nominal, everywhere };
 
@@ -117,8 +127,7 @@ class DwellObserver {
     const Record record = read_(r);
     if (record.row) return observe_row(*record.row, r, condition, result);
     const SampleRange range = range_of(record, window_);
-    std::optional<Index> asked;
-    if (entry.ensemble_s) asked = static_cast<Index>(std::lround(*entry.ensemble_s * record.sample_rate_hz));
+    const std::optional<Index> asked = asked_ensemble(entry, record, range.count);
     const Index ensemble = asked.value_or(range.count);
     const auto leave_out = [&](const std::string& why) {
       result.warnings.push_back(fmt::format("{}: {}, left out", entry.file, why));

@@ -67,6 +67,8 @@ struct Observation {
   std::shared_ptr<const InstrumentMotion> instrument;
   std::vector<std::complex<double>> harmonic;  ///< [block] measured harmonic, 0 where not measured
   std::vector<double> harmonic_sd;             ///< [block], negative where not measured
+  /// Of a decay's window, [mode]: what the modal coordinate of the channels' own quantity shows at zero frequency.
+  std::vector<double> mean, mean_sd;
 };
 
 struct ObservationSet {

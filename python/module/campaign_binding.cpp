@@ -72,7 +72,8 @@ py::list channels_of_campaign(const Campaign& campaign) {
   for (const Channel& channel : campaign.channels)
     channels.append(py::dict("name"_a = channel.name, "role"_a = to_string(channel.role),
                              "quantity"_a = to_string(channel.quantity), "unit"_a = channel.unit,
-                             "frame"_a = channel.frame == Frame::absolute ? "absolute" : "relative"));
+                             "frame"_a = channel.frame == Frame::absolute ? "absolute" : "relative",
+                             "delay_s"_a = channel.delay_s));
   return channels;
 }
 

@@ -101,6 +101,7 @@ ImportOptions import_options(const py::dict& options) {
   import.kind = text("kind");
   import.channels = options["channels"].cast<std::vector<std::string>>();
   import.absolute = options["absolute"].cast<std::vector<std::string>>();
+  import.delays = options["delays"].cast<std::vector<std::string>>();
   import.time = text("time");
   import.sample_rate_hz = options["sample_rate_hz"].cast<std::optional<double>>();
   import.name = text("name");

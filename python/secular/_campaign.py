@@ -21,7 +21,8 @@ class Channel:
 
     role: "excitation" or "response"; quantity: "acceleration", "velocity", "displacement", "force", "voltage",
     "strain" or "angle"; unit: of the samples, SI alone ("m/s^2", "m/s", "m", "N", ...; no "g", no "mm"); frame: of an
-    acceleration of a structure on a moving base, "relative" to it or "absolute".
+    acceleration of a structure on a moving base, "relative" to it or "absolute"; delay_s: by how much its samples are
+    late against those of the other channels, by a mere delay.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Channel:
     quantity: str
     unit: str
     frame: str = "relative"
+    delay_s: float = 0.0
 
 
 @dataclass

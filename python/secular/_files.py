@@ -171,11 +171,13 @@ def _given_channels(channels) -> list[Union[str, Channel]]:
 
 
 def _channel_text(channel: Union[Channel, str]) -> str:
-    """Without its frame, which the text has no place for."""
+    """Without its frame and its delay, which the text has no place for."""
     if not isinstance(channel, Channel):
         return _checks.text("channels", channel)
     for key, value in vars(channel).items():
-        _checks.text(f"channels, {key}", value)
+        if key != "delay_s":
+            _checks.text(f"channels, {key}", value)
+    _checks.optional_real("channels, delay_s", channel.delay_s)
     _checks.one_of("channels, frame", channel.frame, "relative", "absolute")
     if channel.frame == "absolute" and (channel.role, channel.quantity) != ("response", "acceleration"):
         raise _checks.refused("channels, frame", f"is 'absolute' for {channel.name}",
@@ -248,6 +250,7 @@ def import_files(files: Union[str, os.PathLike, Sequence[Union[str, os.PathLike]
 
     options = dict(files=_files(files), kind=_checks.text("kind", kind), channels=[_channel_text(c) for c in given],
                    absolute=[c.name for c in given if isinstance(c, Channel) and c.frame == "absolute"],
+                   delays=[f"{c.name}={c.delay_s!r}" for c in given if isinstance(c, Channel) and c.delay_s],
                    time=text("time", time), name=text("name", name), group=text("group", group),
                    geometry="" if geometry is None else _checks.path("geometry", geometry),
                    sample_rate_hz=_checks.optional(_checks.positive, "sample_rate_hz", sample_rate_hz),

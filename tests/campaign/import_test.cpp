@@ -86,6 +86,18 @@ TEST_F(Import, AFrameIsKeptAndBelongsToAChannel) {
   EXPECT_TRUE(contains(complaint(), "top, frame: belongs to no channel"));
 }
 
+TEST_F(Import, ADelayIsKeptAndBelongsToAChannel) {
+  options_.delays = {"tip=0.002"};
+  for (const Channel& channel : import_files(options_).campaign.channels)
+    EXPECT_EQ(channel.delay_s, channel.name == "tip" ? 0.002 : 0.0);
+  options_.delays = {"top=0.002"};
+  EXPECT_TRUE(contains(complaint(), "--delay top=0.002: names no channel that is imported"));
+  for (const char* wrong : {"tip=2ms", "tip=", "tip=inf"}) {
+    options_.delays = {wrong};
+    EXPECT_TRUE(contains(complaint(), "has no number of seconds")) << wrong;
+  }
+}
+
 TEST_F(Import, AsksForWhatFilesCannotSayByTheOptionsName) {
   const ImportOptions good = options_;
   options_.kind = "";

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "measure/observe/observation_set.hpp"
+
+namespace secular {
+
+/// What a measuring chain may do to a motion, with one unknown.
+enum class ChainFault {
+  low_pass,   ///< equal poles
+  even_law,   ///< it reads s + k*s^2 of what there is to be read
+  cubic_law,  ///< s + k*s^3
+};
+
+/// A fault of some size, docs/inference.md (61).
+struct SizedFault {
+  ChainFault kind = ChainFault::low_pass;
+  int poles = 1;
+  /// low_pass: n (w tau)^2 of n poles, about twice the share that is lost of an amplitude. Laws: share of the second
+  /// or third harmonic that they make in the largest motion.
+  double size = 0;
+  double frequency = 0;  ///< w, rad/s
+  double largest = 0;    ///< half amplitude of the largest motion, as the channels show it
+  int derivatives = 0;   ///< ModalProjection::derivatives
+
+  double amplitude() const;      ///< low_pass: what is left of an amplitude at `frequency`
+  double time_constant() const;  ///< low_pass: of each pole, s
+};
+
+/// The observations without what the fault does, docs/inference.md (61): amplitudes, harmonics up to the third and
+/// means. Laws take off dwells, too; poles only decays, and dwells whose phases are unknown.
+std::vector<ObservationSet> without_fault(std::span<const ObservationSet> sets, const SizedFault& fault);
+
+/// How many times the own frequency of the one mode that takes part the line of a harmonic turns; 0: at zero
+/// frequency, or several modes take part.
+int multiple_of(const RegressorBlock& block);
+
+}  // namespace secular

@@ -1,0 +1,291 @@
+#include "motion/correction/decay_harmonics.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "estimator/identification/predicted_harmonics.hpp"
+#include "estimator/model/zero_frequency.hpp"
+#include "estimator/thresholds.hpp"
+#include "input/numerical_failure.hpp"
+#include "measure/observe/common_observations.hpp"
+#include "measure/observe/modal_projection.hpp"
+#include "numerics/distribution.hpp"
+
+namespace secular {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The highest multiple of a motion's frequency that is looked at.
+constexpr int highest_multiple = 3;
+/// Of a mean in a record: a constant and a drift.
+constexpr Index unknowns_of_mean = 2;
+/// The first size that is tried of a fault, and the most that are.
+constexpr double first_size = 0.01;
+constexpr int most_sizes = 9;
+/// Sizes that differ by less than this share are the same: what they move is allowed for to no more digits.
+constexpr double same_size = 0.02;
+constexpr int numbers_of_poles[] = {1, 4, 16, 64};
+/// Kinds of faults.
+constexpr double kinds = 3;
+/// Of a window's length, by which its neighbour may seem to overlap it.
+constexpr double rounding_of_length = 1e-3;
+
+// A line of a window, or its mean (`block` none).
+struct Line {
+  std::size_t set = 0, observation = 0;  // of what was measured
+  std::optional<std::size_t> block{};
+  std::size_t mode = 0;
+  int multiple = 0;
+  double sd = 0;
+  Complex replayed{};  // in the frame of the motion, at the measured amplitude
+};
+
+Complex to_frame(Complex line, Complex amplitude, int multiple) {
+  return multiple == 0 ? line : line * std::pow(std::conj(amplitude) / std::abs(amplitude), multiple);
+}
+
+class DecayLines {
+ public:
+  DecayLines(const CorrectedEstimate& found, const EstimateTask& task)
+      : task_(task), estimate_(found.estimate), sets_(found.corrected) {
+    for (ObservationSet& set : sets_) {
+      set.truncation_change.clear();
+      set.truncation_of_moves.clear();
+    }
+    if (sets_.empty()) return;
+    const ModalProjection projection = modal_projection(task.campaign, *sets_.front().model);
+    derivatives_ = projection.derivatives;
+    one_channel_ = projection.channels.size() == 1 && sets_.front().model->modes() == 1;
+    for (std::size_t s = 0; s < sets_.size(); ++s)
+      if (!sets_[s].resonance->excited && s < found.replayed.size()) gather(s, found.replayed[s]);
+    if (lines_.empty()) return;
+    here_ = parameters_of(sets_);
+    see_unknowns();
+  }
+
+  bool empty() const { return lines_.empty(); }
+  bool one_channel() const { return one_channel_; }
+  double freedom() const { return static_cast<double>(rows_ - offsets_ - 1); }
+  SizedFault fault(ChainFault kind, int poles) const {
+    return {kind, poles, 0, frequency_, largest_, derivatives_};
+  }
+
+  // What is left of the rows beside what is not known, where a fault is taken off and everything is estimated once
+  // more.
+  VectorXd left(const SizedFault& fault) const {
+    const std::vector<ObservationSet> sets = fault.size == 0 ? sets_ : without_fault(sets_, fault);
+    const VectorXd there = fault.size == 0 ? here_ : parameters_of(sets);
+    VectorXd rows = VectorXd::Zero(orthonormal_.rows());
+    Index at = 0;
+    for (const Line& line : lines_) {
+      const Observation &is = sets[line.set].observations[line.observation],
+                        &was = sets_[line.set].observations[line.observation];
+      const Complex predicted = line.replayed + prediction(line, there, is) - prediction(line, here_, was);
+      put((measured(line, is) - predicted) / (line.block ? is.harmonic_sd[*line.block] : line.sd), line, rows, at);
+    }
+    return rows - orthonormal_ * (orthonormal_.transpose() * rows);
+  }
+
+ private:
+  void gather(std::size_t s, const ObservationSet& replayed) {
+    const ObservationSet& set = sets_[s];
+    const Observation* last = nullptr;
+    for_common_observations(set, replayed, [&](std::size_t i, std::size_t r) {
+      const Observation& o = set.observations[i];
+      if (last && last->record == o.record && o.centre_s - last->centre_s < (1 - rounding_of_length) * o.length_s)
+        return;  // it shares samples
+      last = &o;
+      for (std::size_t b = 0; b < set.resonance->blocks.size(); ++b) add_block(s, i, b, replayed.observations[r]);
+      if (one_channel_) add_mean(s, i, replayed.observations[r]);
+    });
+  }
+
+  void add_block(std::size_t s, std::size_t i, std::size_t b, const Observation& replayed) {
+    const RegressorBlock& block = sets_[s].resonance->blocks[b];
+    const Observation& o = sets_[s].observations[i];
+    const int multiple = block.kind == BlockKind::harmonic ? multiple_of(block) : 0;
+    const auto mode = static_cast<std::size_t>(block.mode);
+    if (multiple < 2 || multiple > highest_multiple || !(o.harmonic_sd[b] > 0) || o.growth_sd[mode] < 0) return;
+    const double was = std::abs(replayed.amplitude[mode]), is = std::abs(o.amplitude[mode]);
+    if (!(was > 0)) return;
+    lines_.push_back({s, i, b, mode, multiple, o.harmonic_sd[b],
+                      std::pow(is / was, multiple) *
+                          to_frame(replayed.harmonic[b], replayed.amplitude[mode], multiple)});
+    rows_ += 2;
+    frequency_ += (o.rate[mode].imag() - frequency_) / static_cast<double>(lines_.size());
+    largest_ = std::max(largest_, std::abs(o.amplitude[mode] * derived(o.rate[mode].imag(), derivatives_)));
+  }
+
+  void add_mean(std::size_t s, std::size_t i, const Observation& replayed) {
+    const Observation& o = sets_[s].observations[i];
+    if (o.mean.empty() || replayed.mean.empty() || !(o.mean_sd.front() > 0) || o.growth_sd.front() < 0) return;
+    const double by = std::norm(o.amplitude.front()) / std::norm(replayed.amplitude.front());
+    if (!std::isfinite(by)) return;
+    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), by * replayed.mean.front()});
+  }
+
+  static Complex measured(const Line& line, const Observation& o) {
+    return line.block ? to_frame(o.harmonic[*line.block], o.amplitude[line.mode], line.multiple)
+                      : Complex(o.mean.front());
+  }
+
+  // By the expansion, of which differences alone are used.
+  Complex prediction(const Line& line, const VectorXd& parameters, const Observation& o) const {
+    const ObservationSet& set = sets_[line.set];
+    const std::vector<Complex> all = predicted_harmonics(*set.model, *set.resonance, parameters, o);
+    if (line.block) return to_frame(all[*line.block], o.amplitude[line.mode], line.multiple);
+    for (std::size_t b = 0; derivatives_ == 0 && b < all.size(); ++b)
+      if (is_zero_frequency(set.resonance->blocks[b])) return all[b].real();
+    return 0;
+  }
+
+  static void put(Complex value, const Line& line, VectorXd& rows, Index& at) {
+    rows(at++) = value.real();
+    if (line.block) rows(at++) = value.imag();
+  }
+
+  VectorXd parameters_of(const std::vector<ObservationSet>& sets) const {
+    EstimatePass pass = pass_between();
+    pass.start = estimate_.state;
+    return estimate(sets, task_.units, task_.options, pass).parameter_values;
+  }
+
+  // Steps of the estimate, each as likely as a standard normal number, and what means have of their own in each
+  // record.
+  void see_unknowns() {
+    std::move(means_.begin(), means_.end(), std::back_inserter(lines_));
+    rows_ += static_cast<Index>(means_.size());
+    std::vector<VectorXd> steps;
+    for (const MatrixXd* of : {&estimate_.noise, &estimate_.open})
+      for (const auto& step : of->colwise()) steps.emplace_back(step);
+    std::map<std::size_t, Index> records;
+    for (const Line& mean : means_)
+      records.try_emplace(sets_[mean.set].observations[mean.observation].record,
+                          static_cast<Index>(records.size()));
+    offsets_ = unknowns_of_mean * static_cast<Index>(records.size());
+    const auto count = static_cast<Index>(steps.size());
+    MatrixXd columns = MatrixXd::Zero(rows_ + count, count + offsets_);
+    for (Index d = 0; d < count; ++d) {
+      VectorXd column = VectorXd::Zero(rows_ + count);
+      Index at = 0;
+      for (const Line& line : lines_) {
+        const Observation& o = sets_[line.set].observations[line.observation];
+        put((prediction(line, here_ + steps[static_cast<std::size_t>(d)], o) - prediction(line, here_, o)) / line.sd,
+            line, column, at);
+      }
+      column(rows_ + d) = 1;
+      columns.col(d) = column;
+    }
+    Index at = 0;
+    for (const Line& line : lines_) {
+      if (!line.block) {
+        const Observation& o = sets_[line.set].observations[line.observation];
+        const Index first = count + unknowns_of_mean * records.at(o.record);
+        columns(at, first) = 1 / line.sd;
+        columns(at, first + 1) = o.centre_s / line.sd;
+      }
+      at += line.block ? 2 : 1;
+    }
+    Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+    orthonormal_ = MatrixXd(qr.householderQ() * MatrixXd::Identity(columns.rows(), qr.rank()));
+  }
+
+  const EstimateTask& task_;
+  const Estimate& estimate_;
+  std::vector<ObservationSet> sets_;
+  std::vector<Line> lines_, means_;
+  int derivatives_ = 0;
+  bool one_channel_ = false;
+  double frequency_ = 0, largest_ = 0;
+  VectorXd here_;
+  MatrixXd orthonormal_;
+  Index rows_ = 0, offsets_ = 0;
+};
+
+// A fault at the size that explains most, and what is left then.
+struct Explained {
+  SizedFault fault;
+  double chi_squared = 0;
+};
+
+/// Whether more sizes are tried hangs on whether the first slope promises this share of what would count.
+constexpr double promising = 0.25;
+
+// By Gauss-Newton steps with slopes from size to size. Poles have no negative size. Nothing where no size explains
+// more than none, or where the first slope does not promise a good part of `least_gain` in chi-squared.
+std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, const VectorXd& without,
+                                   double least_gain) {
+  std::optional<Explained> best;
+  VectorXd before = without;
+  double size_before = 0, size = first_size;
+  for (int step = 0; step < most_sizes; ++step) {
+    fault.size = size;
+    VectorXd here;
+    try {
+      here = lines.left(fault);
+    } catch (const NumericalFailure&) {
+      return best;
+    }
+    const double chi_squared = here.squaredNorm();
+    if (chi_squared < (best ? best->chi_squared : without.squaredNorm())) best = Explained{fault, chi_squared};
+    const VectorXd slope = (here - before) / (size - size_before);
+    if (!(slope.squaredNorm() > 0)) break;
+    if (step == 0 && std::pow(slope.dot(without), 2) / slope.squaredNorm() < promising * least_gain)
+      return std::nullopt;
+    double next = size - slope.dot(here) / slope.squaredNorm();
+    if (fault.kind == ChainFault::low_pass && next <= 0) {
+      if (best) break;
+      next = 0.1 * size;
+    }
+    if (!std::isfinite(next) || std::abs(next) > 1) break;
+    if (std::abs(next - size) < same_size * std::abs(next)) break;
+    before = here;
+    size_before = size;
+    size = next;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const EstimateTask& task) {
+  const DecayLines lines(found, task);
+  if (lines.empty() || !(lines.freedom() >= 1)) return {};
+  const VectorXd without = lines.left(lines.fault(ChainFault::low_pass, 1));
+  const double least_gain =
+      f_upper_quantile(estimator_thresholds().contradiction_alarm / kinds, 1, lines.freedom());
+  std::vector<Explained> explained;
+  const auto search = [&](ChainFault kind, int poles) {
+    auto one = best_size(lines, lines.fault(kind, poles), without, least_gain);
+    if (one) explained.push_back(*one);
+    return one.has_value();
+  };
+  for (const int poles : numbers_of_poles)
+    if (!search(ChainFault::low_pass, poles)) break;
+  for (const ChainFault law : {ChainFault::even_law, ChainFault::cubic_law})
+    if (lines.one_channel()) search(law, 1);
+  if (explained.empty()) return {};
+  const double least = std::min_element(explained.begin(), explained.end(), [](const auto& a, const auto& b) {
+                         return a.chi_squared < b.chi_squared;
+                       })->chi_squared;
+  const double scatter = std::max(1.0, least / lines.freedom());
+  const double by_chance = least_gain * scatter;
+  std::vector<FoundFault> result;
+  for (const Explained& one : explained) {
+    const double gain = without.squaredNorm() - one.chi_squared;
+    if (gain <= by_chance || one.chi_squared > least + by_chance) continue;
+    result.push_back({one.fault, std::sqrt(1 - by_chance / gain)});
+  }
+  return result;
+}
+
+}  // namespace secular

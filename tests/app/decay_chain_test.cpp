@@ -1,0 +1,117 @@
+// What a measuring chain does to free decays: their harmonics and steps tell it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "jobs/identify/identification.hpp"
+#include "tests/app/hardening_oscillator.hpp"
+#include "tests/identification/virtual_campaign.hpp"
+
+namespace secular {
+namespace {
+
+using testing_support::value_of;
+using testing_support::warns;
+
+constexpr double quadratic_of_decay = 4e5, cubic_of_decay = 2.5e8, rate_of_decay_hz = 512;
+
+// Two decays of an oscillator of 20 Hz with a quadratic term.
+SimulatedCampaign lopsided_decays(std::uint64_t seed) {
+  std::string text = testing_support::lopsided_oscillator();
+  text.replace(text.find("sample_rate_hz = 256.0"), 22, "sample_rate_hz = 512.0");
+  return testing_support::oscillator_campaign(text + R"([[free_decay]]
+initial_displacement = [0.002]
+duration_s = 5.0
+[[free_decay]]
+initial_displacement = [0.0014]
+duration_s = 5.0
+)",
+                                              seed);
+}
+
+using Chain = std::function<void(std::vector<double>& response, std::size_t record)>;
+
+Identification identified_by_chain(SimulatedCampaign made, const Chain& chain) {
+  for (std::size_t r = 0; r < made.samples.size(); ++r) chain(made.samples[r].channels[1], r);
+  IdentificationRequest request;
+  request.model = "duffing";
+  request.resonances = {"free"};
+  return identify_by_modulation(request, made.campaign, [&](std::size_t r) { return made.samples[r]; });
+}
+
+// A pole of which the samples are joined by straight lines.
+void pass_pole(std::vector<double>& samples, double time_constant) {
+  const double x = 1 / (rate_of_decay_hz * time_constant), stays = std::exp(-x), slope = 1 - (1 - stays) / x;
+  double state = samples.front(), before = samples.front();
+  for (double& y : samples) {
+    state = stays * state + (1 - stays) * before + slope * (y - before);
+    before = y;
+    y = state;
+  }
+}
+
+void expect_truth_or_doubt(const Identification& id) {
+  for (const auto& [name, truth] : {std::pair{"a2", quadratic_of_decay}, std::pair{"a3", cubic_of_decay}}) {
+    const EstimatedValue& value = value_of(id.estimate, name);
+    ASSERT_TRUE(value.value);
+    EXPECT_TRUE(value.doubtful || std::abs(*value.value - truth) < 3 * value.sd)
+        << name << " " << *value.value << " " << value.sd;
+  }
+}
+
+TEST(DecayChain, ThatIsGoodIsNotDoubted) {
+  for (const std::uint64_t seed : {11U, 12U, 13U}) {
+    const Identification id = identified_by_chain(lopsided_decays(seed), [](std::vector<double>&, std::size_t) {});
+    EXPECT_FALSE(warns(id.estimate.warnings, "harmonics of the decays are not those"));
+    EXPECT_FALSE(warns(id.estimate.warnings, "the amplitude steps"));
+    for (const char* name : {"omega0", "mu", "a2", "a3"}) EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
+    EXPECT_LT(std::abs(*value_of(id.estimate, "a3").value - cubic_of_decay), 4 * value_of(id.estimate, "a3").sd);
+  }
+}
+
+// A pole at three times the frequency: a3 is a tenth too large.
+TEST(DecayChain, LowPassIsToldByHarmonics) {
+  const Identification id = identified_by_chain(lopsided_decays(11), [](std::vector<double>& y, std::size_t) {
+    pass_pole(y, 1 / (3 * 125.66));
+  });
+  EXPECT_TRUE(warns(id.estimate.warnings, "low-pass of"));
+  EXPECT_GT(*value_of(id.estimate, "a3").value / cubic_of_decay, 1.06);
+  expect_truth_or_doubt(id);
+}
+
+TEST(DecayChain, EvenLawIsToldByMeans) {
+  const SimulatedCampaign made = lopsided_decays(11);
+  const double largest = testing_support::largest_response(made);
+  for (const double share : {0.03, -0.06}) {
+    const Identification id = identified_by_chain(made, [&](std::vector<double>& y, std::size_t) {
+      for (double& sample : y) sample *= 1 + share * sample / largest;
+    });
+    EXPECT_TRUE(warns(id.estimate.warnings, "an even part of a sensor's law"));
+    expect_truth_or_doubt(id);
+  }
+}
+
+TEST(DecayChain, StepOfTheSensitivityIsSeen) {
+  const Identification id = identified_by_chain(lopsided_decays(12), [](std::vector<double>& y, std::size_t record) {
+    if (record == 0)
+      for (std::size_t i = 600; i < y.size(); ++i) y[i] *= 1.04;
+  });
+  EXPECT_TRUE(warns(id.estimate.warnings, "the amplitude steps by"));
+  expect_truth_or_doubt(id);
+}
+
+// One decay of two by another sensitivity: the coefficients that both share scatter by as much.
+TEST(DecayChain, RecordOfAnotherSensitivityWidensErrorBars) {
+  for (const double gain : {1.05, 1 / 9.81})
+    expect_truth_or_doubt(identified_by_chain(lopsided_decays(13), [&](std::vector<double>& y, std::size_t record) {
+      if (record == 1)
+        for (double& sample : y) sample *= gain;
+    }));
+}
+
+}  // namespace
+}  // namespace secular
