@@ -128,6 +128,76 @@ Json sweeps_json(const Prediction& prediction) {
   return result;
 }
 
+// Values of what is not varied; frequencies that follow others as their relation.
+void put_parameters(Json& result, const Prediction& prediction) {
+  const LockedExcitations locked(*prediction.model, *prediction.resonance);
+  for (std::size_t p = 0; p < prediction.names.size(); ++p) {
+    const std::string& name = prediction.names[p];
+    const bool varied = (prediction.vary && prediction.vary->name == name) ||
+                        (prediction.against && prediction.against->name == name);
+    const std::size_t frequency = p - prediction.model->symbols.size();
+    if (p >= prediction.model->symbols.size() && frequency < prediction.model->excitations.size() &&
+        locked.follows(frequency))
+      result["follows"][name] = locked.text(frequency);
+    else if (!varied)
+      result["parameters"][name] = prediction.parameters(static_cast<Eigen::Index>(p));
+  }
+}
+
+Json curves_json(const Prediction& prediction) {
+  Json result = Json::array();
+  for (const ResponseCurve& curve : prediction.curves) {
+    Json entry;
+    entry["kind"] = name_of(curve.kind);
+    entry["closed"] = curve.closed;
+    entry["ends"] = {end_json(curve.first_end), end_json(curve.last_end)};
+    entry["special_points"] = Json::array();
+    for (const auto& [kind, at] : curve.special) {
+      Json special = curve_point_json(prediction, at);
+      special["kind"] = kind == CodimensionTwo::cusp ? "cusp" : "bogdanov_takens";
+      entry["special_points"].push_back(std::move(special));
+    }
+    entry["points"] = Json::array();
+    for (const ResponseCurvePoint& at : curve.points) entry["points"].push_back(curve_point_json(prediction, at));
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+Json backbone_json(const Prediction& prediction, std::size_t k) {
+  const auto& [mode, points] = prediction.backbones[k];
+  const auto place = [](const BackbonePoint& at) {
+    return Json{{"amplitude", 2 * at.amplitude},
+                {"frequency", at.frequency},
+                {"frequency_hz", at.frequency / two_pi},
+                {"outside_expansion", at.outside}};
+  };
+  Json entry;
+  entry["mode"] = mode;
+  entry["limit_cycles"] = Json::array();
+  const bool spread = k < prediction.backbone_spread.size();
+  for (std::size_t c = 0; c < prediction.limit_cycles[k].size(); ++c) {
+    const LimitCycle& cycle = prediction.limit_cycles[k][c];
+    Json at = place(cycle.at);
+    at["stable"] = cycle.stable;
+    if (spread && prediction.limit_cycle_spread[k][c]) {
+      at["amplitude_sd"] = 2 * prediction.limit_cycle_spread[k][c]->amplitude;
+      at["frequency_sd"] = prediction.limit_cycle_spread[k][c]->frequency;
+    }
+    entry["limit_cycles"].push_back(std::move(at));
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Json at = place(points[i]);
+    at["growth"] = points[i].growth;
+    if (spread) {
+      at["frequency_sd"] = prediction.backbone_spread[k][i].frequency;
+      at["growth_sd"] = prediction.backbone_spread[k][i].growth;
+    }
+    entry["points"].push_back(std::move(at));
+  }
+  return entry;
+}
+
 Json measured_json(const Prediction& prediction) {
   Json result = Json::array();
   for (const MeasuredPoint& point : prediction.measured) {
@@ -203,18 +273,7 @@ std::string prediction_json(const Prediction& prediction) {
   result["schema"] = 1;
   result["model"] = prediction.model->name;
   result["case"] = prediction.resonance->name;
-  const LockedExcitations locked(*prediction.model, *prediction.resonance);
-  for (std::size_t p = 0; p < prediction.names.size(); ++p) {
-    const std::string& name = prediction.names[p];
-    const bool varied = (prediction.vary && prediction.vary->name == name) ||
-                        (prediction.against && prediction.against->name == name);
-    const std::size_t frequency = p - prediction.model->symbols.size();
-    if (p >= prediction.model->symbols.size() && frequency < prediction.model->excitations.size() &&
-        locked.follows(frequency))
-      result["follows"][name] = locked.text(frequency);
-    else if (!varied)
-      result["parameters"][name] = prediction.parameters(static_cast<Eigen::Index>(p));
-  }
+  put_parameters(result, prediction);
   for (std::size_t p = 0; p < prediction.names.size(); ++p)
     if (!prediction.units[p].empty()) result["units"][prediction.names[p]] = prediction.units[p];
   if (!prediction.coordinate_unit.empty()) result["coordinate_unit"] = prediction.coordinate_unit;
@@ -230,57 +289,9 @@ std::string prediction_json(const Prediction& prediction) {
     result["reason"] = prediction.diagram.reason;
     result["branches"] = diagram_json(prediction);
   }
-  if (prediction.against) {
-    result["curves"] = Json::array();
-    for (const ResponseCurve& curve : prediction.curves) {
-      Json entry;
-      entry["kind"] = name_of(curve.kind);
-      entry["closed"] = curve.closed;
-      entry["ends"] = {end_json(curve.first_end), end_json(curve.last_end)};
-      entry["special_points"] = Json::array();
-      for (const auto& [kind, at] : curve.special) {
-        Json special = curve_point_json(prediction, at);
-        special["kind"] = kind == CodimensionTwo::cusp ? "cusp" : "bogdanov_takens";
-        entry["special_points"].push_back(std::move(special));
-      }
-      entry["points"] = Json::array();
-      for (const ResponseCurvePoint& at : curve.points) entry["points"].push_back(curve_point_json(prediction, at));
-      result["curves"].push_back(std::move(entry));
-    }
-  }
-  for (std::size_t k = 0; k < prediction.backbones.size(); ++k) {
-    const auto& [mode, points] = prediction.backbones[k];
-    const auto place = [](const BackbonePoint& at) {
-      return Json{{"amplitude", 2 * at.amplitude},
-                  {"frequency", at.frequency},
-                  {"frequency_hz", at.frequency / two_pi},
-                  {"outside_expansion", at.outside}};
-    };
-    Json entry;
-    entry["mode"] = mode;
-    entry["limit_cycles"] = Json::array();
-    const bool spread = k < prediction.backbone_spread.size();
-    for (std::size_t c = 0; c < prediction.limit_cycles[k].size(); ++c) {
-      const LimitCycle& cycle = prediction.limit_cycles[k][c];
-      Json at = place(cycle.at);
-      at["stable"] = cycle.stable;
-      if (spread && prediction.limit_cycle_spread[k][c]) {
-        at["amplitude_sd"] = 2 * prediction.limit_cycle_spread[k][c]->amplitude;
-        at["frequency_sd"] = prediction.limit_cycle_spread[k][c]->frequency;
-      }
-      entry["limit_cycles"].push_back(std::move(at));
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      Json at = place(points[i]);
-      at["growth"] = points[i].growth;
-      if (spread) {
-        at["frequency_sd"] = prediction.backbone_spread[k][i].frequency;
-        at["growth_sd"] = prediction.backbone_spread[k][i].growth;
-      }
-      entry["points"].push_back(std::move(at));
-    }
-    result["backbones"].push_back(std::move(entry));
-  }
+  if (prediction.against) result["curves"] = curves_json(prediction);
+  for (std::size_t k = 0; k < prediction.backbones.size(); ++k)
+    result["backbones"].push_back(backbone_json(prediction, k));
   if (!prediction.sweeps.empty()) result["simulated_sweeps"] = sweeps_json(prediction);
   if (!prediction.measured.empty()) result["measured"] = measured_json(prediction);
   return result.dump(1) + "\n";

@@ -70,6 +70,7 @@ void find_uncertainty(const PredictionRequest& request, const GivenParameters& g
   const bool open = takes_representative(request, given, prediction);
   const NamedCovariance& covariance = open ? given.representative_covariance : given.covariance;
   const auto refuse = [&](std::string reason) { prediction.no_spread_because = std::move(reason); };
+  if (prediction.against) return refuse("curves in two parameters have none");
   if (given.covariance.names.empty()) return refuse(request.parameters + " holds no covariance");
   if (open && covariance.names.empty())
     return refuse(request.parameters +
