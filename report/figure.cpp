@@ -166,7 +166,7 @@ std::vector<std::size_t> visible_points(const Series& series, std::size_t begin,
 }
 
 bool joined_by_a_line(SeriesStyle style) {
-  return style == SeriesStyle::line || style == SeriesStyle::line_and_points || style == SeriesStyle::band;
+  return style == SeriesStyle::line || style == SeriesStyle::line_and_points || is_filled(style);
 }
 
 /// Lines "x y low high" of a gnuplot data block; an empty line where a line or band is interrupted.
@@ -383,7 +383,7 @@ class ScriptWriter {
         text_ += fmt::format("set arrow from {} to {} nohead lc rgb '{}' lw {} dt {}\n", at(x1, y1), at(x2, y2),
                              look.color, width + 0.001 * static_cast<double>(entry.series), dash);
       };
-      if (series.style == SeriesStyle::band)
+      if (is_filled(series.style))
         text_ += fmt::format("set object rectangle from {} to {} fc rgb '{}' fs solid 0.22 noborder\n",
                              at(entry.x, y + 6), at(right, y - 6), look.color);
       if (series.style == SeriesStyle::line || series.style == SeriesStyle::line_and_points)
@@ -414,6 +414,10 @@ class ScriptWriter {
       switch (panel.series[s].style) {
         case SeriesStyle::band:
           behind += fmt::format(", {} using 1:3:4 with filledcurves fs solid 0.22 noborder fc rgb '{}'", data,
+                                look.color);
+          break;
+        case SeriesStyle::region:
+          behind += fmt::format(", {} using 1:2 with filledcurves closed fs solid 0.22 noborder fc rgb '{}'", data,
                                 look.color);
           break;
         case SeriesStyle::line:

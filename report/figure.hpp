@@ -21,8 +21,14 @@ enum class SeriesStyle {
   line,
   line_and_points,
   error_bars,  ///< points with y ± y_error
-  band         ///< filled between y - y_error and y + y_error
+  band,        ///< filled between y - y_error and y + y_error
+  region       ///< filled inside of closed outlines, one after the other with a gap between them
 };
+
+/// Whether an area is drawn, behind lines and points.
+constexpr bool is_filled(SeriesStyle style) {
+  return style == SeriesStyle::band || style == SeriesStyle::region;
+}
 
 /// What a series is to the reader. Fixes its colour, and whether a line is dashed and a marker hollow, the same in
 /// every figure of the program.

@@ -42,7 +42,7 @@ std::string figure_points(const Figure& figure, const std::vector<PlotArea>& are
     const PlotArea& area = areas[p];
     std::string series;
     for (const Series& s : panel.series)
-      if (s.style != SeriesStyle::band) series += (series.empty() ? "" : ",") + json_series(s);
+      if (!is_filled(s.style)) series += (series.empty() ? "" : ",") + json_series(s);
     panels += fmt::format("{}{{\"box\":[{:.0f},{:.0f},{:.0f},{:.0f}],\"x\":{},\"y\":{},\"series\":[{}]}}",
                           panels.empty() ? "" : ",", area.left, area.right, area.top, area.bottom,
                           json_axis(figure.x, area.x_low, area.x_high), json_axis(panel.y, area.y_low, area.y_high),

@@ -89,13 +89,30 @@ bool is_number(std::string_view text) {
   return !text.empty() && text.front() >= '0' && text.front() <= '9';
 }
 
-/// Of a cell: numbers, names of files and the like, and short texts keep to one line.
+/// Of a cell: numbers and short texts keep to one line; names of lumps, files and the like part where their own
+/// parts do.
 std::string_view cell_class(Column::Kind kind, std::string_view text) {
   constexpr std::size_t short_text = 22, long_name = 48;
   if (kind == Column::Kind::number) return " class=\"number\"";
-  const bool is_name = text.size() <= long_name && text.find(' ') == std::string_view::npos;
-  return text.size() <= short_text || is_name || (text.size() <= long_name && is_number(text)) ? " class=\"short\""
-                                                                                               : "";
+  if (text.size() <= short_text || (text.size() <= long_name && is_number(text))) return " class=\"short\"";
+  return text.size() <= long_name && text.find(' ') == std::string_view::npos ? " class=\"name\"" : "";
+}
+
+/// Of a cell, as markup; a name may part behind _ and the like, which leaves nothing in what is copied, and a
+/// number before what is said of it.
+std::string cell_text(std::string_view cell_class, std::string_view text) {
+  constexpr std::string_view doubt = " doubtful";
+  if (text.ends_with(doubt) && text.size() > doubt.size())
+    return escape_markup(text.substr(0, text.size() - doubt.size())) + " <wbr>doubtful";
+  if (cell_class.find("name") == std::string_view::npos) return escape_markup(text);
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("_/:.", begin), text.size() - 1) + 1;
+    result += escape_markup(text.substr(begin, end - begin));
+    if (end < text.size()) result += "<wbr>";
+    begin = end;
+  }
+  return result;
 }
 
 /// The palette as variables of the style sheet, by theme.
@@ -190,13 +207,19 @@ void HtmlReport::table(const Table& table) {
   const bool folded = table.rows.size() > most_open_rows;
   const std::string name = escape_markup_line(table.caption.empty() ? "Table" : table.caption);
   if (folded) body_ += fmt::format("<details>\n<summary>{}: {} rows</summary>\n", name, table.rows.size());
+  const bool stacked = table.columns.size() >= least_stacked_columns;
   body_ += fmt::format("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table{}>\n", name,
-                       table.columns.size() >= least_wide_columns ? " class=\"wide\"" : "");
+                       table.columns.size() >= least_wide_columns ? " class=\"wide stacked\""
+                       : stacked                                  ? " class=\"stacked\""
+                                                                  : "");
   if (!table.caption.empty()) body_ += element("caption", table.caption);
   body_ += "<thead><tr>";
   std::vector<std::vector<std::string>> padding;
+  std::vector<std::string> labels;  // beside each cell, where rows are stacked
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const std::string unit = pretty_unit(table.columns[c].unit);
+    const std::string label = table.columns[c].heading + (unit.empty() ? "" : " (" + unit + ")");
+    labels.push_back(stacked ? fmt::format(" data-label=\"{}\"", escape_markup_line(label)) : "");
     body_ += fmt::format("<th scope=\"col\"{}>{}{}</th>",
                          table.columns[c].kind == Column::Kind::number ? " class=\"number\"" : "",
                          escape_markup(table.columns[c].heading),
@@ -207,9 +230,10 @@ void HtmlReport::table(const Table& table) {
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const Tone tone = table.row_tones.empty() ? Tone::neutral : table.row_tones[r];
     body_ += tone == Tone::neutral ? "<tr>" : fmt::format("<tr class=\"{}\">", class_of(tone));
-    for (std::size_t c = 0; c < table.columns.size(); ++c)
-      body_ += fmt::format("<td{}>{}{}</td>", cell_class(table.columns[c].kind, table.rows[r][c]),
-                           escape_markup(table.rows[r][c]), padding[c][r]);
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      const std::string_view kind = cell_class(table.columns[c].kind, table.rows[r][c]);
+      body_ += fmt::format("<td{}{}>{}{}</td>", kind, labels[c], cell_text(kind, table.rows[r][c]), padding[c][r]);
+    }
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";

@@ -51,6 +51,9 @@ struct Provenance {
 inline constexpr std::size_t most_open_rows = 24;
 /// Tables of so many columns have smaller letters and gaps, so that they fit 1280 px.
 inline constexpr std::size_t least_wide_columns = 8;
+/// Rows of tables of so many columns stand as lists of their cells, each beside its heading, where the screen is
+/// narrower than 640 px.
+inline constexpr std::size_t least_stacked_columns = 4;
 
 class HtmlReport {
  public:

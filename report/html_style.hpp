@@ -45,11 +45,21 @@ th.number, td.number { text-align: right; padding: 6px 22px 6px 10px; }
 td { min-width: 5ch; } th { overflow-wrap: normal; }
 td.number, td.short { white-space: nowrap; }
 td.number { font-variant-numeric: tabular-nums; }
-td:not(.number):not(.short) { min-width: 24ch; max-width: 60ch; }
+td.name { min-width: 11ch; overflow-wrap: normal; } td wbr { white-space: normal; }
+td:not(.number):not(.short):not(.name) { min-width: 24ch; max-width: 60ch; }
 @media screen {
-  .wide { font-size: 13.5px; } .wide th, .wide td { padding-right: 10px; }
-  .wide th.number, .wide td.number { padding: 6px 12px 6px 4px; }
-  .wide td:not(.number):not(.short) { min-width: 18ch; }
+  .wide { font-size: 13px; } .wide th, .wide td { padding-right: 10px; }
+  .wide th.number, .wide td.number { padding: 6px 10px 6px 2px; }
+  .wide td:not(.number):not(.short):not(.name) { min-width: 16ch; }
+}
+@media screen and (max-width: 640px) {
+  table.stacked, .stacked caption, .stacked tbody, .stacked tr, .stacked td { display: block; }
+  .stacked thead { position: absolute; clip-path: inset(50%); }
+  .stacked tr { border-bottom: 1.5px solid var(--rule); padding: 6px 0; }
+  .stacked td[data-label] { display: flex; justify-content: space-between; gap: 14px; text-align: right; border: 0;
+    padding: 2px 0; min-width: 0; max-width: none; white-space: normal; }
+  .stacked td[data-label]::before { content: attr(data-label); color: var(--soft); text-align: left; flex: 0 0 40%; }
+  .stacked td:empty { display: none; }
 }
 tr.good td:first-child { color: var(--good); } tr.caution td:first-child { color: var(--caution); }
 tr.bad td:first-child { color: var(--bad); }
@@ -72,7 +82,7 @@ footer pre { white-space: pre-wrap; overflow-wrap: anywhere; }
   pre { white-space: pre-wrap; } .values { display: none; } .scroll { overflow: visible; }
   details::details-content { content-visibility: visible; block-size: auto; }
   table { font-size: 8pt; } th .unit, caption { font-size: 8pt; } th, td, th.number, td.number { padding: 3px 8px 3px 0; }
-  table { width: 100%; } td:not(.number):not(.short) { min-width: 0; }
+  table { width: 100%; } td:not(.number):not(.short):not(.name) { min-width: 0; }
   figure svg, figure svg.fine { min-width: 0; } h2 { margin-top: 24px; }
 }
 )css";

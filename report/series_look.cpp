@@ -52,11 +52,12 @@ std::string_view dash_of_role(SeriesRole role) {
 }  // namespace
 
 std::vector<SeriesLook> series_looks(const std::vector<Series>& panel) {
-  std::map<std::pair<SeriesRole, bool>, std::vector<std::string>> names_seen;  // a band shares its line's colour
+  std::map<std::pair<SeriesRole, bool>, std::vector<std::string>>
+      names_seen;  // what is filled shares its line's colour
   std::vector<SeriesLook> looks;
   for (const Series& series : panel) {
     // Pieces of one branch carry one name and must look the same.
-    std::vector<std::string>& names = names_seen[{series.role, series.style == SeriesStyle::band}];
+    std::vector<std::string>& names = names_seen[{series.role, is_filled(series.style)}];
     std::size_t turn = 0;
     while (turn < names.size() && names[turn] != series.name) ++turn;
     if (turn == names.size()) names.push_back(series.name);

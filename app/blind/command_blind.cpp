@@ -16,6 +16,7 @@
 
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/word_choice.hpp"
 #include "app/shared/progress_line.hpp"
 #include "blind/estimate_set.hpp"
 #include "blind/follow_up.hpp"
@@ -225,12 +226,12 @@ void add_set_options(CLI::App* command, const std::shared_ptr<BlindArguments>& o
       ->check(CLI::Range(std::size_t{1}, std::size_t{9999}));
   command->add_option("--seed", options->seed, "of the draw")->capture_default_str();
   command->add_option("--set", options->set, "short: 20 dwells, 40 and 30 dB; full: 40 dwells, 40 to 10 dB")
-      ->check(CLI::IsMember({"short", "full"}))
+      ->check(one_of({"short", "full"}))
       ->capture_default_str();
   command
       ->add_option("--records", options->records,
                    "of every campaign: dwells (and three decays), decays, one_decay, sweeps, broadband or impacts")
-      ->check(CLI::IsMember(blind::programme_names()))
+      ->check(one_of(blind::programme_names()))
       ->capture_default_str();
   command->add_flag(
       "--disturbed", options->disturbed,

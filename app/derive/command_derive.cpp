@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/word_choice.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
@@ -26,7 +27,7 @@ void add_derive_command(CLI::App* command, Action& chosen) {
   command
       ->add_option("--format", options->format,
                    "text, json, latex (a document that needs amsmath only) or html (a page by itself)")
-      ->check(CLI::IsMember({"text", "json", "latex", "html"}))
+      ->check(one_of({"text", "json", "latex", "html"}))
       ->capture_default_str();
   command->add_option(
       "--with-effect", options->request.effects,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/shared/commands.hpp"
+#include "app/shared/word_choice.hpp"
 #include "app/shared/notices.hpp"
 #include "jobs/derive/evaluation_run.hpp"
 #include "jobs/shared/number_file.hpp"
@@ -22,7 +23,7 @@ void add_evaluate_command(CLI::App* command, Action& chosen) {
   command->add_option("--case", options->request.resonance, "resonance case of the model")->required();
   command->add_option("--at", options->request.values_name, "JSON object: a number for every symbol")->required();
   command->add_option("--omega-policy", options->policy, "excitation frequency inside coefficients")
-      ->check(CLI::IsMember({"nominal", "kept"}))
+      ->check(one_of({"nominal", "kept"}))
       ->capture_default_str();
   command->add_flag("--json", options->json, "JSON is what it prints in any case");
   command->footer("Example: secular evaluate two_mass_mode1 --case principal_parametric --at values.json");

@@ -10,6 +10,7 @@
 #include "app/help/described_command.hpp"
 #include "app/help/manual_page.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/word_choice.hpp"
 #include "app/shared/unknown_word.hpp"
 #include "input/input_error.hpp"
 #include "jobs/shared/shipped_models.hpp"
@@ -46,7 +47,7 @@ void add_help_command(CLI::App* command, Action& chosen) {
   CLI::Option* manual =
       command->add_flag("--manual", options->manual, "print the page of the manual: man -l FILE shows it");
   command->add_option("--completion", options->shell, "print what this shell reads to complete command lines")
-      ->check(CLI::IsMember(shells))
+      ->check(one_of({"bash", "fish", "zsh"}))
       ->excludes(manual)
       ->excludes(words);
   manual->excludes(words);

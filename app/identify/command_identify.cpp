@@ -13,6 +13,7 @@
 
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/word_choice.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
@@ -198,7 +199,7 @@ void add_identify_command(CLI::App* command, Action& chosen) {
           "free decays alone; both-equations: free decays by the modulation equations, refined by those of motion "
           "where "
           "these hold all along them")
-      ->check(CLI::IsMember({"full-equations", "modulation-equations", "both-equations"}))
+      ->check(one_of({"full-equations", "modulation-equations", "both-equations"}))
       ->option_text("full-equations|modulation-equations|both-equations");
   options->selection.add_to(*command);
   command->add_option(

@@ -16,11 +16,11 @@
 namespace secular::app {
 namespace {
 
-void print_text(const ImportRun& run, const std::string& folder) {
+void print_text(const ImportRun& run, const std::string& folder, bool made) {
   const auto& [imported, records] = run;
   const Campaign& campaign = imported.campaign;
   const bool tables = campaign.sample_rate_hz == 0;
-  fmt::print("{}: {} channel{}, {} {}{}{}\n", folder, campaign.channels.size(),
+  fmt::print("{}{}: {} channel{}, {} {}{}{}\n", made ? "" : "would make ", folder, campaign.channels.size(),
              campaign.channels.size() == 1 ? "" : "s", campaign.records.size(), tables ? "table" : "record",
              campaign.records.size() == 1 ? "" : "s",
              tables ? " of lines" : fmt::format(" at {} Hz", campaign.sample_rate_hz));
@@ -39,10 +39,20 @@ void print_text(const ImportRun& run, const std::string& folder) {
     fmt::print("geometry: {} points, {} lines; {} of {} responses have a place\n", campaign.geometry->points.size(),
                campaign.geometry->lines.size(), campaign.geometry->sensors.size(),
                channels_of(campaign, ChannelRole::response).size());
-  fmt::print("Next: secular inspect {}\n", folder);
+  if (made) {
+    fmt::print("Next: secular inspect {}\n", folder);
+    return;
+  }
+  for (const Channel& channel : campaign.channels)
+    fmt::print("channel {}: {}, {} in {}\n", channel.name, to_string(channel.role), to_string(channel.quantity),
+               channel.unit);
+  fmt::print("Nothing was written: the same without --dry-run makes it\n");
 }
 
-void add_table_options(CLI::App& command, TableOptions& table) {
+void add_table_options(CLI::App& command, ImportOptions& import) {
+  TableOptions& table = import.table;
+  command.add_option("--decimal-mark", import.decimal_mark,
+                     ". or , of a CSV that has both; the other one then parts thousands");
   command
       .add_option("--column", table.columns,
                   "lines: PART=VARIABLE for a column that is called otherwise; parts are f, condition, and NAME, "
@@ -67,7 +77,7 @@ void add_import_command(CLI::App* command, Action& chosen) {
     ImportOptions import;
     std::vector<std::string> files;
     OutputCampaign output;
-    bool json = false;
+    bool json = false, dry_run = false;
   };
   auto options = std::make_shared<Options>();
   ImportOptions& import = options->import;
@@ -110,9 +120,8 @@ void add_import_command(CLI::App* command, Action& chosen) {
       ->expected(1)
       ->take_all();
   command->add_option("--ensemble", import.ensemble_s, "seconds of an ensemble that dwells are cut into");
-  command->add_option("--decimal-mark", import.decimal_mark,
-                      ". or , of a CSV that has both; the other one then parts thousands");
-  add_table_options(*command, import.table);
+  add_table_options(*command, import);
+  command->add_flag("--dry-run", options->dry_run, "say what would be made, and write nothing");
   command->add_flag("--json", options->json, "what was made, as JSON");
   command->footer(
       "ROLE: excitation or response. QUANTITY and UNIT: acceleration m/s^2, velocity m/s, displacement m, force "
@@ -135,12 +144,14 @@ void add_import_command(CLI::App* command, Action& chosen) {
       std::vector<CommandInput> inputs;
       for (const std::string& file : options->files) inputs.push_back({"the file", file, false});
       options->output.check(inputs);
-      const ImportRun run = run_import(options->import, options->output.path(), options->output.replaces());
+      const ImportRun run = options->dry_run
+                                ? preview_import(options->import)
+                                : run_import(options->import, options->output.path(), options->output.replaces());
       print_warnings(run.imported.warnings);
       if (options->json)
         fmt::print("{}", import_json(run, options->output.path()));
       else
-        print_text(run, options->output.path());
+        print_text(run, options->output.path(), !options->dry_run);
       return 0;
     };
   });

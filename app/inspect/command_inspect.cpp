@@ -175,6 +175,7 @@ std::string shown_unit(const VariableInspection& variable) {
 
 void print_file(const std::string& path, const InspectedFile& found) {
   const auto& [file, campaign, disturbances, pictures] = found;
+  const std::string table = table_import(path, file);
   fmt::print("{}: {} with {}\n", path, file.format, count(file.variables.size(), "numeric variable"));
   if (file.segments > 1)
     fmt::print("{} segments, each of which `secular import` makes a record: this is the first\n", file.segments);
@@ -196,14 +197,15 @@ void print_file(const std::string& path, const InspectedFile& found) {
     if (!variable.quality) continue;
     append_levels(rows.back(), *variable.quality);
     for (const DataFault& fault : variable.quality->faults)
-      faults.push_back(fmt::format("{}: {}: {}", variable.name, fault.kind, fault.text));
+      if (fault.kind != "constant" || table.empty() || !file.time.empty())  // a table's level stays the same
+        faults.push_back(fmt::format("{}: {}: {}", variable.name, fault.kind, fault.text));
   }
   fmt::print("\n{}{}", aligned(rows, 4), level_note);
   if (file.partial) fmt::print("{}Values are{}\n", file.estimated ? "Lengths are estimated. " : "", partial_note);
   for (const std::string& variable : unusable) fmt::print("no channel: {}\n", visible(variable));
   print_faults(faults);
   print_disturbances(disturbances, campaign, 1);
-  if (const std::string table = table_import(path, file); !table.empty()) {
+  if (!table.empty()) {
     fmt::print("\nTo use it as a table of lines: {}\n", visible(table));
     if (file.time.empty()) return;
   }

@@ -10,6 +10,7 @@
 
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/word_choice.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
@@ -71,7 +72,7 @@ void declare_options(CLI::App* command, PlanArguments* options) {
       ->delimiter(',');
   command->add_option("--fix", request.fixed, "lumps or natural frequencies taken as known")->delimiter(',');
   command->add_option("--criterion", options->criterion, "D: determinant, A: relative variances, c: one parameter")
-      ->check(CLI::IsMember({"D", "A", "c"}))
+      ->check(one_of({"D", "A", "c"}))
       ->capture_default_str();
   command->add_option("--range-frequency", options->frequency, "LOW:HIGH of the excitation, Hz")->required();
   command->add_option("--range-amplitude", options->amplitude, "LOW:HIGH of the excitation, peak")->required();

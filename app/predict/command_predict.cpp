@@ -16,10 +16,12 @@
 #include "app/shared/output_target.hpp"
 #include "app/shared/progress_line.hpp"
 #include "app/shared/selection_options.hpp"
+#include "app/shared/word_choice.hpp"
 #include "input/input_error.hpp"
 #include "jobs/predict/prediction.hpp"
 #include "jobs/predict/prediction_files.hpp"
 #include "jobs/predict/prediction_report.hpp"
+#include "jobs/predict/uncertain_text.hpp"
 #include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
 
@@ -79,8 +81,9 @@ void print_summary(const Prediction& prediction, const std::vector<report::Named
     fmt::print("branch {}{}: {} points{}\n", b + 1, branch.at_rest ? ", at rest" : "", branch.points.size(),
                outside > 0 ? fmt::format(", {} outside of the expansion's range", outside) : "");
     for (const ResponseSpecial& special : branch.special) {
-      std::string line = fmt::format("  {:<12} {} = {}", special_name(special), prediction.vary->name,
-                                     located(special.at.parameter, prediction.axis, prediction.axis_unit));
+      std::string line = fmt::format("  {:<12} {} = {}{}", special_name(special), prediction.vary->name,
+                                     special_place(prediction, special),
+                                     prediction.axis_unit.empty() ? "" : " " + prediction.axis_unit);
       for (std::size_t k = 0; k < prediction.model->modes(); ++k)
         if (!prediction.resonance->mode_at_rest[k] && !special.at.at_rest)
           line +=
@@ -96,11 +99,11 @@ void print_summary(const Prediction& prediction, const std::vector<report::Named
                report::format_number(points.front().frequency * to_hz, 6),
                report::format_number(points.back().frequency * to_hz, 6),
                report::format_number(2 * points.back().amplitude, 4));
-    for (const LimitCycle& cycle : prediction.limit_cycles[k])
-      fmt::print("  limit cycle, {}: amplitude {}, {} Hz{}\n", cycle.stable ? "stable" : "unstable",
-                 report::format_number(2 * cycle.at.amplitude, 6),
-                 report::format_number(cycle.at.frequency * to_hz, 6),
-                 cycle.at.outside ? "  (outside of the expansion's range)" : "");
+    for (std::size_t c = 0; c < prediction.limit_cycles[k].size(); ++c)
+      fmt::print("  limit cycle, {}: amplitude {}, {} Hz{}\n",
+                 prediction.limit_cycles[k][c].stable ? "stable" : "unstable", cycle_amplitude(prediction, k, c),
+                 cycle_frequency(prediction, k, c),
+                 prediction.limit_cycles[k][c].at.outside ? "  (outside of the expansion's range)" : "");
   }
   for (const PredictedSweep& sweep : prediction.sweeps)
     for (const PredictedSweep::Jump& jump : sweep.jumps)
@@ -149,7 +152,7 @@ void add_predict_command(CLI::App* command, Action& chosen) {
   command->add_option("--at", options->at, "NAME=VALUE: a parameter, an excitation's amplitude or frequency")
       ->allow_extra_args(false);
   command->add_option("--curve", request.curve, "curve of these points in two parameters, --vary and --against")
-      ->check(CLI::IsMember({"saddle_node", "threshold", "hopf", "peak"}));
+      ->check(one_of({"saddle_node", "threshold", "hopf", "peak"}));
   command->add_option("--against", options->against, "NAME FROM TO: second parameter of --curve")->expected(3);
   command->add_flag("--hz", request.hz, "excitation frequencies in --vary, --against and --at are in Hz");
   command
@@ -159,7 +162,7 @@ void add_predict_command(CLI::App* command, Action& chosen) {
   command->add_option("--sweep", options->sweeps, "up, down: simulated sweeps of the full equations on the curve")
       ->allow_extra_args(false)
       ->delimiter(',')
-      ->check(CLI::IsMember({"up", "down"}));
+      ->check(one_of({"up", "down"}));
   command->add_option("--sweep-steps", request.sweep_steps, "dwells of a simulated sweep")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();

@@ -10,6 +10,7 @@
 #include "app/procedure/thesis_procedures.hpp"
 #include "app/shared/command_line.hpp"
 #include "app/shared/commands.hpp"
+#include "app/shared/word_choice.hpp"
 #include "app/shared/notices.hpp"
 #include "app/shared/output_target.hpp"
 #include "app/shared/selection_options.hpp"
@@ -76,7 +77,7 @@ void add_procedure_command(CLI::App* command, Action& chosen) {
           "saddle_node, harmonic, frequency_response, two_modes, anova (alone: of any case of dwells); all that "
           "apply without it")
       ->delimiter(',')
-      ->check(CLI::IsMember({"saddle_node", "harmonic", "frequency_response", "two_modes", "anova"}));
+      ->check(one_of({"saddle_node", "harmonic", "frequency_response", "two_modes", "anova"}));
   command->add_option("--term", options->terms, "NAME,NAME: columns tested together in the analysis of variance")
       ->allow_extra_args(false);
   command->add_option("--without", request.left_out, "lumps that the analysis of variance leaves out of the model")

@@ -1,5 +1,6 @@
 #include "jobs/identify/estimate_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -148,6 +149,28 @@ void add_lateness(Json& list, const CaseLateness& lateness, const Identification
   }
 }
 
+// Of all parameters together with representatives of those that the data cannot tell: what noise and what is left
+// open do to them, along the same directions. Misfit that widened an error bar counts as that parameter's own.
+Json representative_covariance(const Estimate& estimate) {
+  const Eigen::MatrixXd matrix =
+      estimate.noise * estimate.noise.transpose() + estimate.open * estimate.open.transpose();
+  Json names = Json::array(), rows = Json::array();
+  for (std::size_t p = 0; p < estimate.parameters.size(); ++p) {
+    const EstimatedValue& value = estimate.parameters[p];
+    const auto row = static_cast<Eigen::Index>(p);
+    if (value.fixed || row >= matrix.rows()) continue;
+    names.push_back(value.name);
+    Json entries = Json::array();
+    for (std::size_t q = 0; q < estimate.parameters.size(); ++q) {
+      if (estimate.parameters[q].fixed) continue;
+      const double entry = matrix(row, static_cast<Eigen::Index>(q));
+      entries.push_back(p == q && value.value ? std::max(entry, value.sd * value.sd) : entry);
+    }
+    rows.push_back(std::move(entries));
+  }
+  return {{"names", std::move(names)}, {"matrix", std::move(rows)}};
+}
+
 // Of parameters that the data cannot tell, values that go with all that they tell: for commands that need numbers.
 void add_representative(Json& result, const Identification& identification) {
   const Estimate& estimate = identification.estimate;
@@ -160,6 +183,8 @@ void add_representative(Json& result, const Identification& identification) {
   Json cases = Json::array();
   for (const CompiledCase* resonance : identified_cases(estimate)) cases.push_back(resonance->name);
   result["representative"] = {{"values", std::move(open)}, {"steady_motions_of", std::move(cases)}};
+  if (estimate.noise.rows() == values.size())
+    result["representative"]["covariance"] = representative_covariance(estimate);
 }
 
 // Of all parameters that were estimated. Misfit that widened an error bar counts as that parameter's own.

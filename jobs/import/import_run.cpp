@@ -21,16 +21,17 @@ RecordSummary summary_of(const std::vector<LineRow>& rows) {
   return summary;
 }
 
-ImportedCampaign import_into(CampaignWriter& writer, const ImportOptions& options,
+// `writer`: none where nothing is to be written.
+ImportedCampaign import_into(CampaignWriter* writer, const ImportOptions& options,
                              std::vector<RecordSummary>& records) {
   if (parse_record_kind(options.kind) == RecordKind::lines)
     return import_tables(options,
                          [&](const Campaign& campaign, const RecordEntry& entry, const std::vector<LineRow>& rows) {
-                           writer.write(campaign, entry, rows);
+                           if (writer) writer->write(campaign, entry, rows);
                            records.push_back(summary_of(rows));
                          });
   return import_files(options, [&](const Campaign& campaign, const RecordEntry& entry, Record&& record) {
-    writer.write(campaign, entry, record);
+    if (writer) writer->write(campaign, entry, record);
     records.push_back(
         {record.samples(), record.start_s, static_cast<double>(record.samples()) / record.sample_rate_hz, 0, 0});
   });
@@ -42,8 +43,14 @@ ImportRun run_import(const ImportOptions& options, const std::filesystem::path& 
   for (const std::filesystem::path& file : options.files) check_apart(folder, file, "the file");
   CampaignWriter writer(folder, replace);
   ImportRun run;
-  run.imported = import_into(writer, options, run.records);
+  run.imported = import_into(&writer, options, run.records);
   writer.finish(run.imported.campaign);
+  return run;
+}
+
+ImportRun preview_import(const ImportOptions& options) {
+  ImportRun run;
+  run.imported = import_into(nullptr, options, run.records);
   return run;
 }
 

@@ -24,6 +24,10 @@ struct ImportRun {
 /// that stands in the folder goes. Throws InputError, also for a folder that holds what is read.
 ImportRun run_import(const ImportOptions& options, const std::filesystem::path& folder, bool replace);
 
+/// What run_import would make, with everything read and nothing written. Throws InputError as that does for what is
+/// in the files.
+ImportRun preview_import(const ImportOptions& options);
+
 /// What `secular import --json` prints; `folder`: how it was named.
 std::string import_json(const ImportRun& run, const std::string& folder);
 

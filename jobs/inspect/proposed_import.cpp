@@ -161,6 +161,14 @@ bool may_be_frequency(const std::string& variable) {
   return is_frequency_name(name) || name == "omega" || name == "Omega";
 }
 
+// The first column whose unit is that of a frequency, whatever it is called ("Frequenz"); empty where none is.
+std::string column_in_hertz(const FileInspection& file) {
+  for (const VariableInspection& variable : file.variables)
+    if (variable.quality && other_measure(variable.stated_unit) == "frequency" && samples_of(variable) > 1)
+      return variable.name;
+  return {};
+}
+
 // Whether a column of a table of lines is the phase of another one.
 bool may_be_phase(const VariableInspection& variable) {
   std::string name = variable.name;
@@ -245,6 +253,7 @@ std::string table_import(const std::filesystem::path& path, const FileInspection
       responses = true;
     }
   }
+  if (frequency.empty() && file.time.empty()) frequency = column_in_hertz(file);
   if (frequency.empty()) return {};
   if (responses) channels = " --channel NAME:excitation:QUANTITY:UNIT --level LEVEL" + channels;
   if (!responses) channels = table_columns(file, frequency);

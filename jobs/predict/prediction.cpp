@@ -10,6 +10,7 @@
 
 #include "jobs/predict/measured_points.hpp"
 #include "jobs/predict/prediction_inputs.hpp"
+#include "jobs/predict/prediction_spread.hpp"
 #include "jobs/predict/range_marks.hpp"
 #include "jobs/predict/simulated_sweep.hpp"
 #include "jobs/shared/model_loading.hpp"
@@ -21,6 +22,9 @@ namespace {
 
 constexpr int backbone_points = 200;
 
+/// A backbone is drawn so many times as far as its largest limit cycle.
+constexpr double beyond_cycles = 1.1;
+
 void add_backbones(const PredictionRequest& request, const ResponseField& field, RangeMarks& range,
                    Prediction& prediction) {
   double largest = request.largest / 2, searched = largest;
@@ -30,11 +34,15 @@ void add_backbones(const PredictionRequest& request, const ResponseField& field,
     searched = 4 * largest;  // as responses are
   }
   for (std::size_t k = 0; k < field.active().size(); ++k) {
-    prediction.backbones.emplace_back(std::string(prediction.model->coordinates[field.active()[k]]),
-                                      backbone(field, prediction.parameters, k, largest, backbone_points));
     prediction.limit_cycles.push_back(limit_cycles(field, prediction.parameters, k, searched, 4 * backbone_points));
+    double shown = largest;
+    for (const LimitCycle& cycle : prediction.limit_cycles.back())
+      if (request.largest == 0) shown = std::max(shown, beyond_cycles * cycle.at.amplitude);
+    prediction.backbones.emplace_back(std::string(prediction.model->coordinates[field.active()[k]]),
+                                      backbone(field, prediction.parameters, k, shown, backbone_points));
   }
   range.mark_backbones(field);
+  spread_backbones(field, prediction);
 }
 
 // Jumps that lie farther than one step from every fold, threshold and other special point of the expansion.
@@ -89,6 +97,7 @@ void add_diagram(const PredictionRequest& request, const ResponseField& field, c
   prediction.diagram = response_diagram(field, response);
   say_special_points_once(prediction.diagram);
   range.mark_diagram(response);
+  spread_diagram(field, response, request.threads, prediction);
   if (prediction.diagram.status != DiagramStatus::complete)
     prediction.warnings.push_back("some responses may be missing: " + prediction.diagram.reason);
   if (!request.measured.empty()) prediction.measured = measured_points(request, prediction, prediction.warnings);

@@ -13,6 +13,7 @@
 #include "measure/observe/observation_set.hpp"
 #include "motion/response/limit_cycles.hpp"
 #include "motion/response/response_curve.hpp"
+#include "motion/response/response_spread.hpp"
 #include "motion/simulate/stepped_sweep.hpp"
 
 namespace secular {
@@ -77,6 +78,12 @@ struct Prediction {
   std::vector<ResponseCurve> curves;
   std::vector<std::pair<std::string, std::vector<BackbonePoint>>> backbones;
   std::vector<std::vector<LimitCycle>> limit_cycles;  ///< by backbone
+  std::vector<std::string> uncertain;  ///< parameters with error bars, which responses and backbones take over
+  Eigen::MatrixXd directions;          ///< UncertainParameters::directions; where `uncertain` has names
+  std::string no_spread_because;       ///< where it has none
+  std::vector<std::vector<BackboneSpread>> backbone_spread;  ///< by backbone and its points, or empty
+  std::vector<std::vector<std::optional<LimitCycleSpread>>>
+      limit_cycle_spread;  ///< by backbone and cycle, or empty
   std::vector<PredictedSweep> sweeps;
   std::vector<MeasuredPoint> measured;
   std::vector<std::string> warnings;

@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "estimator/model/locked_excitations.hpp"
+#include "jobs/predict/uncertain_text.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -34,6 +37,10 @@ Json point_json(const Prediction& prediction, const ResponsePoint& point) {
   Json result;
   put_parameter(result, prediction.vary->name, point.parameter, prediction.axis_unit);
   result["modes"] = modes_json(prediction, point.modes);
+  for (std::size_t k = 0; k < point.spread.size(); ++k) {
+    const std::optional<double> sd = amplitude_sd(point, k);
+    result["modes"][k]["amplitude_sd"] = sd ? Json(*sd) : Json(nullptr);
+  }
   result["stable"] = point.unstable == 0;
   result["unstable_eigenvalues"] = point.unstable;
   result["outside_expansion"] = point.outside;
@@ -82,6 +89,7 @@ Json diagram_json(const Prediction& prediction) {
       put_kind(at, "bifurcation", secular::name_of(special.kind), in_words(special.kind));
       at["polished"] = special.polished;
       if (special.frequency != 0) at["frequency"] = special.frequency;
+      if (special.sd) put_parameter(at, prediction.vary->name + "_sd", *special.sd, prediction.axis_unit);
       at.update(point_json(prediction, special.at));
       entry["special_points"].push_back(std::move(at));
     }
@@ -118,6 +126,76 @@ Json sweeps_json(const Prediction& prediction) {
     result.push_back(std::move(entry));
   }
   return result;
+}
+
+// Values of what is not varied; frequencies that follow others as their relation.
+void put_parameters(Json& result, const Prediction& prediction) {
+  const LockedExcitations locked(*prediction.model, *prediction.resonance);
+  for (std::size_t p = 0; p < prediction.names.size(); ++p) {
+    const std::string& name = prediction.names[p];
+    const bool varied = (prediction.vary && prediction.vary->name == name) ||
+                        (prediction.against && prediction.against->name == name);
+    const std::size_t frequency = p - prediction.model->symbols.size();
+    if (p >= prediction.model->symbols.size() && frequency < prediction.model->excitations.size() &&
+        locked.follows(frequency))
+      result["follows"][name] = locked.text(frequency);
+    else if (!varied)
+      result["parameters"][name] = prediction.parameters(static_cast<Eigen::Index>(p));
+  }
+}
+
+Json curves_json(const Prediction& prediction) {
+  Json result = Json::array();
+  for (const ResponseCurve& curve : prediction.curves) {
+    Json entry;
+    entry["kind"] = name_of(curve.kind);
+    entry["closed"] = curve.closed;
+    entry["ends"] = {end_json(curve.first_end), end_json(curve.last_end)};
+    entry["special_points"] = Json::array();
+    for (const auto& [kind, at] : curve.special) {
+      Json special = curve_point_json(prediction, at);
+      special["kind"] = kind == CodimensionTwo::cusp ? "cusp" : "bogdanov_takens";
+      entry["special_points"].push_back(std::move(special));
+    }
+    entry["points"] = Json::array();
+    for (const ResponseCurvePoint& at : curve.points) entry["points"].push_back(curve_point_json(prediction, at));
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
+Json backbone_json(const Prediction& prediction, std::size_t k) {
+  const auto& [mode, points] = prediction.backbones[k];
+  const auto place = [](const BackbonePoint& at) {
+    return Json{{"amplitude", 2 * at.amplitude},
+                {"frequency", at.frequency},
+                {"frequency_hz", at.frequency / two_pi},
+                {"outside_expansion", at.outside}};
+  };
+  Json entry;
+  entry["mode"] = mode;
+  entry["limit_cycles"] = Json::array();
+  const bool spread = k < prediction.backbone_spread.size();
+  for (std::size_t c = 0; c < prediction.limit_cycles[k].size(); ++c) {
+    const LimitCycle& cycle = prediction.limit_cycles[k][c];
+    Json at = place(cycle.at);
+    at["stable"] = cycle.stable;
+    if (spread && prediction.limit_cycle_spread[k][c]) {
+      at["amplitude_sd"] = 2 * prediction.limit_cycle_spread[k][c]->amplitude;
+      at["frequency_sd"] = prediction.limit_cycle_spread[k][c]->frequency;
+    }
+    entry["limit_cycles"].push_back(std::move(at));
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Json at = place(points[i]);
+    at["growth"] = points[i].growth;
+    if (spread) {
+      at["frequency_sd"] = prediction.backbone_spread[k][i].frequency;
+      at["growth_sd"] = prediction.backbone_spread[k][i].growth;
+    }
+    entry["points"].push_back(std::move(at));
+  }
+  return entry;
 }
 
 Json measured_json(const Prediction& prediction) {
@@ -195,18 +273,15 @@ std::string prediction_json(const Prediction& prediction) {
   result["schema"] = 1;
   result["model"] = prediction.model->name;
   result["case"] = prediction.resonance->name;
-  for (std::size_t p = 0; p < prediction.names.size(); ++p) {
-    const std::string& name = prediction.names[p];
-    const bool varied = (prediction.vary && prediction.vary->name == name) ||
-                        (prediction.against && prediction.against->name == name);
-    if (!varied) result["parameters"][name] = prediction.parameters(static_cast<Eigen::Index>(p));
-  }
+  put_parameters(result, prediction);
   for (std::size_t p = 0; p < prediction.names.size(); ++p)
     if (!prediction.units[p].empty()) result["units"][prediction.names[p]] = prediction.units[p];
   if (!prediction.coordinate_unit.empty()) result["coordinate_unit"] = prediction.coordinate_unit;
   for (const auto* varied : {&prediction.vary, &prediction.against})
     if (*varied)
       result["varied"].push_back({{"name", (*varied)->name}, {"from", (*varied)->from}, {"to", (*varied)->to}});
+  if (!prediction.uncertain.empty()) result["error_bars_of"] = prediction.uncertain;
+  if (!prediction.no_spread_because.empty()) result["no_error_bars_because"] = prediction.no_spread_because;
   result["notes"] = prediction.diagram.notes;
   result["warnings"] = prediction.warnings;
   if (prediction.vary && !prediction.against) {
@@ -214,45 +289,9 @@ std::string prediction_json(const Prediction& prediction) {
     result["reason"] = prediction.diagram.reason;
     result["branches"] = diagram_json(prediction);
   }
-  if (prediction.against) {
-    result["curves"] = Json::array();
-    for (const ResponseCurve& curve : prediction.curves) {
-      Json entry;
-      entry["kind"] = name_of(curve.kind);
-      entry["closed"] = curve.closed;
-      entry["ends"] = {end_json(curve.first_end), end_json(curve.last_end)};
-      entry["special_points"] = Json::array();
-      for (const auto& [kind, at] : curve.special) {
-        Json special = curve_point_json(prediction, at);
-        special["kind"] = kind == CodimensionTwo::cusp ? "cusp" : "bogdanov_takens";
-        entry["special_points"].push_back(std::move(special));
-      }
-      entry["points"] = Json::array();
-      for (const ResponseCurvePoint& at : curve.points) entry["points"].push_back(curve_point_json(prediction, at));
-      result["curves"].push_back(std::move(entry));
-    }
-  }
-  for (std::size_t k = 0; k < prediction.backbones.size(); ++k) {
-    const auto& [mode, points] = prediction.backbones[k];
-    const auto place = [](const BackbonePoint& at) {
-      return Json{{"amplitude", 2 * at.amplitude},
-                  {"frequency", at.frequency},
-                  {"frequency_hz", at.frequency / two_pi},
-                  {"outside_expansion", at.outside}};
-    };
-    Json entry;
-    entry["mode"] = mode;
-    entry["limit_cycles"] = Json::array();
-    for (const LimitCycle& cycle : prediction.limit_cycles[k]) {
-      entry["limit_cycles"].push_back(place(cycle.at));
-      entry["limit_cycles"].back()["stable"] = cycle.stable;
-    }
-    for (const BackbonePoint& at : points) {
-      entry["points"].push_back(place(at));
-      entry["points"].back()["growth"] = at.growth;
-    }
-    result["backbones"].push_back(std::move(entry));
-  }
+  if (prediction.against) result["curves"] = curves_json(prediction);
+  for (std::size_t k = 0; k < prediction.backbones.size(); ++k)
+    result["backbones"].push_back(backbone_json(prediction, k));
   if (!prediction.sweeps.empty()) result["simulated_sweeps"] = sweeps_json(prediction);
   if (!prediction.measured.empty()) result["measured"] = measured_json(prediction);
   return result.dump(1) + "\n";
@@ -260,6 +299,7 @@ std::string prediction_json(const Prediction& prediction) {
 
 std::string prediction_csv(const Prediction& prediction) {
   std::string text;
+  const bool spread = !prediction.uncertain.empty();
   const auto modes_heading = [&] {
     for (const std::string_view name : prediction.model->coordinates)
       text += fmt::format(",amplitude_{0},phase_{0},frequency_shift_{0}", name);
@@ -270,11 +310,21 @@ std::string prediction_csv(const Prediction& prediction) {
                           modes.amplitude[k] == 0.0 ? 0.0 : std::arg(modes.amplitude[k]), modes.frequency_shift[k]);
   };
   if (!prediction.backbones.empty()) {
-    text = "mode,amplitude,frequency_rad_s,growth_1_s,outside_expansion\n";
-    for (const auto& [mode, points] : prediction.backbones)
-      for (const BackbonePoint& at : points)
-        text += fmt::format("{},{:.12g},{:.12g},{:.12g},{}\n", mode, 2 * at.amplitude, at.frequency, at.growth,
+    text = "mode,amplitude,frequency_rad_s,growth_1_s,outside_expansion";
+    text += spread ? ",frequency_sd_rad_s,growth_sd_1_s\n" : "\n";
+    for (std::size_t k = 0; k < prediction.backbones.size(); ++k) {
+      const auto& [mode, points] = prediction.backbones[k];
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const BackbonePoint& at = points[i];
+        text += fmt::format("{},{:.12g},{:.12g},{:.12g},{}", mode, 2 * at.amplitude, at.frequency, at.growth,
                             at.outside ? 1 : 0);
+        if (spread) {
+          const BackboneSpread& sd = prediction.backbone_spread[k][i];
+          text += fmt::format(",{:.6g},{:.6g}", sd.frequency, sd.growth);
+        }
+        text += '\n';
+      }
+    }
   } else if (prediction.against) {
     text = fmt::format("curve,kind,{},{}", prediction.vary->name, prediction.against->name);
     modes_heading();
@@ -289,11 +339,20 @@ std::string prediction_csv(const Prediction& prediction) {
   } else {
     text = fmt::format("branch,kind,{},stable", prediction.vary->name);
     modes_heading();
-    text += ",outside_expansion\n";
+    text += ",outside_expansion";
+    if (spread)
+      for (const std::string_view name : prediction.model->coordinates)
+        text += fmt::format(",amplitude_sd_{}", name);
+    text += '\n';
     const auto put = [&](std::size_t b, const std::string& kind, const ResponsePoint& at) {
       text += fmt::format("{},{},{:.12g},{}", b + 1, kind, at.parameter, at.unstable == 0 ? 1 : 0);
       put_modes(at.modes);
-      text += at.outside ? ",1\n" : ",0\n";
+      text += at.outside ? ",1" : ",0";
+      for (std::size_t k = 0; spread && k < at.modes.amplitude.size(); ++k) {
+        const std::optional<double> sd = amplitude_sd(at, k);
+        text += sd ? fmt::format(",{:.6g}", *sd) : ",";
+      }
+      text += '\n';
     };
     for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b) {
       const ResponseBranch& branch = prediction.diagram.branches[b];

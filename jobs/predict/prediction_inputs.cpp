@@ -12,6 +12,7 @@
 
 #include "estimator/model/locked_excitations.hpp"
 #include "input/input_error.hpp"
+#include "jobs/predict/prediction_spread.hpp"
 #include "jobs/predict/prediction_units.hpp"
 #include "jobs/shared/number_file.hpp"
 #include "jobs/shared/parameter_file.hpp"
@@ -188,6 +189,7 @@ GivenParameters read_parameters(const ModelSource& source, const PredictionReque
                                 Prediction& prediction) {
   const CompiledModel& model = *prediction.model;
   GivenParameters given = request.given ? *request.given : read_parameter_file(request.parameters);
+  const std::map<std::string, double> before = given.values;
   source.take_rest_position(given.values, request.parameters);
   const auto count = static_cast<Index>(prediction.names.size());
   prediction.parameters = VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
@@ -221,6 +223,7 @@ GivenParameters read_parameters(const ModelSource& source, const PredictionReque
     if (!(prediction.parameters(static_cast<Index>(k)) > 0))
       throw InputError(request.parameters, "key " + prediction.names[k], "is not positive",
                        "a natural frequency in rad/s was expected");
+  find_uncertainty(request, given, given.values != before, prediction);
   return given;
 }
 

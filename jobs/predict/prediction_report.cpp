@@ -9,7 +9,10 @@
 #include <optional>
 #include <utility>
 
+#include "estimator/model/locked_excitations.hpp"
 #include "jobs/predict/prediction_files.hpp"
+#include "jobs/predict/response_band.hpp"
+#include "jobs/predict/uncertain_text.hpp"
 #include "numerics/hertz.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
@@ -182,6 +185,8 @@ Figure response_figure(const Prediction& prediction) {
     Panel panel =
         response_panel(prediction, mode, {"Peak amplitude of " + name, unit_of_coordinates(prediction), false, {}},
                        peak_amplitude, true);
+    if (std::optional<Series> band = response_band(prediction, mode))
+      panel.series.insert(panel.series.begin(), *std::move(band));
     int group = 0;
     for (const PredictedSweep& sweep : prediction.sweeps) {
       Series points;
@@ -284,6 +289,39 @@ Figure amplitude_diagram(const Prediction& prediction) {
   return figure;
 }
 
+// Two standard deviations about a line of the backbone, inside of the expansion's range.
+template <class Spread>
+Series backbone_band(const Series& line, const std::vector<BackbonePoint>& points,
+                     const std::vector<BackboneSpread>& spreads, const Spread& spread) {
+  Series band = line;
+  band.name = band_name;
+  band.style = SeriesStyle::band;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    band.y_error.push_back(points[i].outside ? std::numeric_limits<double>::quiet_NaN() : 2 * spread(spreads[i]));
+  return band;
+}
+
+// In both panels: at the cycle's frequency, and at no decay.
+void mark_limit_cycles(Figure& figure, const Prediction& prediction, std::size_t b) {
+  for (const bool stable : {true, false}) {
+    Series frequency, decay;
+    for (const LimitCycle& cycle : prediction.limit_cycles[b]) {
+      if (cycle.stable != stable || cycle.at.outside) continue;
+      frequency.x.push_back(2 * cycle.at.amplitude);
+      frequency.y.push_back(cycle.at.frequency * to_hz);
+    }
+    if (frequency.x.empty()) continue;
+    frequency.name = stable ? "limit cycle, stable" : "limit cycle, unstable";
+    frequency.style = SeriesStyle::points;
+    frequency.role = SeriesRole::alternative;
+    decay = frequency;
+    std::fill(decay.y.begin(), decay.y.end(), 0);
+    figure.panels[0].series.push_back(std::move(frequency));
+    figure.panels[1].series.push_back(std::move(decay));
+    figure.panels[1].zero_line = true;
+  }
+}
+
 Figure backbone_figure(const Prediction& prediction, std::size_t b) {
   const auto& [name, points] = prediction.backbones[b];
   Figure figure;
@@ -296,20 +334,29 @@ Figure backbone_figure(const Prediction& prediction, std::size_t b) {
     decay.x.push_back(2 * at.amplitude);
     decay.y.push_back(-at.growth);
   }
-  const auto add = [&](const report::Axis& axis, Series& line) {
+  const auto add = [&](const report::Axis& axis, Series& line, auto spread) {
+    std::vector<Series> series;
+    if (!prediction.backbone_spread.empty())
+      series.push_back(backbone_band(line, points, prediction.backbone_spread[b], spread));
     Series outside;
     split_outside(points, 0, line, outside);
-    figure.panels.push_back({"", axis, {line}});
+    series.push_back(line);
+    figure.panels.push_back({"", axis, std::move(series)});
     if (std::any_of(points.begin(), points.end(), [](const BackbonePoint& at) { return at.outside; }))
       figure.panels.back().series.push_back(std::move(outside));
   };
-  add({"Frequency", "Hz", false, {}}, frequency);
-  add({"Decay rate", "1/s", false, {}}, decay);
+  add({"Frequency", "Hz", false, {}}, frequency, [](const BackboneSpread& at) { return at.frequency * to_hz; });
+  add({"Decay rate", "1/s", false, {}}, decay, [](const BackboneSpread& at) { return at.growth; });
+  mark_limit_cycles(figure, prediction, b);
   return figure;
 }
 
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return number + (unit.empty() ? "" : " " + unit);
+}
+
 std::string with_unit(double value, const std::string& unit) {
-  return report::format_number(value, 6) + (unit.empty() ? "" : " " + unit);
+  return with_unit(report::format_number(value, 6), unit);
 }
 
 void add_special_points(report::HtmlReport& page, const Prediction& prediction) {
@@ -322,13 +369,9 @@ void add_special_points(report::HtmlReport& page, const Prediction& prediction) 
   table.columns.push_back({"Branch", Column::Kind::number, ""});
   for (std::size_t b = 0; b < prediction.diagram.branches.size(); ++b)
     for (const ResponseSpecial& special : prediction.diagram.branches[b].special) {
-      std::vector<std::string> row{special_name(special),
-                                   report::format_number(special.at.parameter / prediction.axis, 7)};
-      for (const std::size_t mode : moving_modes(prediction)) {
-        // Below this the branch meets the state of rest: the rest is rounding.
-        const double amplitude = peak_amplitude(special.at.modes, mode);
-        row.push_back(report::format_number(amplitude > 1e-6 * prediction.diagram.scale ? amplitude : 0, 4));
-      }
+      std::vector<std::string> row{special_name(special), special_place(prediction, special)};
+      for (const std::size_t mode : moving_modes(prediction))
+        row.push_back(special_amplitude(prediction, special, mode));
       row.push_back(std::to_string(b + 1));
       table.rows.push_back(std::move(row));
     }
@@ -367,31 +410,49 @@ void add_jumps(report::HtmlReport& page, const Prediction& prediction) {
     page.table(table);
 }
 
+// "Limit cycles: x stable at ..., y unstable at ...", as a sentence; empty where there is none.
+std::string sentence_of_cycles(const Prediction& prediction) {
+  std::string sentence;
+  for (std::size_t k = 0; k < prediction.limit_cycles.size(); ++k)
+    for (std::size_t c = 0; c < prediction.limit_cycles[k].size(); ++c) {
+      const LimitCycle& cycle = prediction.limit_cycles[k][c];
+      sentence += fmt::format("{} of {} with a peak amplitude of {} at {} Hz{}",
+                              sentence.empty() ? (cycle.stable ? "A stable limit cycle" : "An unstable limit cycle")
+                                               : (cycle.stable ? ", a stable one" : ", an unstable one"),
+                              prediction.backbones[k].first, cycle_amplitude(prediction, k, c),
+                              cycle_frequency(prediction, k, c),
+                              cycle.at.outside ? " (outside of the expansion's range)" : "");
+    }
+  return sentence.empty() ? "" : sentence + " was found. ";
+}
+
 void add_limit_cycles(report::HtmlReport& page, const Prediction& prediction) {
   Table table;
   table.columns = {{"Limit cycle of", Column::Kind::text, ""},
-                   {"Amplitude", Column::Kind::number, ""},
+                   {"Peak amplitude", Column::Kind::number, prediction.coordinate_unit},
                    {"Frequency", Column::Kind::number, "Hz"},
                    {"Stability", Column::Kind::text, ""}};
   for (std::size_t k = 0; k < prediction.backbones.size(); ++k)
-    for (const LimitCycle& cycle : prediction.limit_cycles[k])
-      table.rows.push_back({prediction.backbones[k].first, report::format_number(2 * cycle.at.amplitude, 6),
-                            report::format_number(cycle.at.frequency * to_hz, 6),
-                            cycle.stable ? "stable" : "unstable"});
+    for (std::size_t c = 0; c < prediction.limit_cycles[k].size(); ++c)
+      table.rows.push_back({prediction.backbones[k].first, cycle_amplitude(prediction, k, c),
+                            cycle_frequency(prediction, k, c),
+                            prediction.limit_cycles[k][c].stable ? "stable" : "unstable"});
   if (!table.rows.empty()) page.table(table);
 }
 
 std::string verdict_of(const Prediction& prediction) {
   if (!prediction.backbones.empty()) {
     const auto& [name, points] = prediction.backbones.front();
-    return fmt::format(
-        "As the peak amplitude of {} rises from 0 to {}, its frequency goes from {} to {} Hz and its decay rate "
-        "from {} "
-        "to {} 1/s.",
-        name, report::format_number(2 * points.back().amplitude, 3),
-        report::format_number(points.front().frequency * to_hz, 5),
-        report::format_number(points.back().frequency * to_hz, 5), report::format_number(-points.front().growth, 3),
-        report::format_number(-points.back().growth, 3));
+    return sentence_of_cycles(prediction) + fmt::format(
+                                                "As the peak amplitude of {} rises from 0 to {}, its frequency "
+                                                "goes from {} to {} Hz and its decay rate "
+                                                "from {} "
+                                                "to {} 1/s.",
+                                                name, report::format_number(2 * points.back().amplitude, 3),
+                                                report::format_number(points.front().frequency * to_hz, 5),
+                                                report::format_number(points.back().frequency * to_hz, 5),
+                                                report::format_number(-points.front().growth, 3),
+                                                report::format_number(-points.back().growth, 3));
   }
   const std::string unit = prediction.axis_unit.empty() ? "" : " " + prediction.axis_unit;
   const std::string range =
@@ -404,6 +465,7 @@ std::string verdict_of(const Prediction& prediction) {
         prediction.against->name);
   const std::size_t mode = moving_modes(prediction).front();
   double largest = 0, where = 0, least_beyond = std::numeric_limits<double>::infinity();
+  std::optional<double> largest_sd;
   std::size_t changes = 0;
   for (const ResponseBranch& branch : prediction.diagram.branches) {
     changes += branch.special.size();
@@ -414,6 +476,7 @@ std::string verdict_of(const Prediction& prediction) {
       if (at.outside || amplitude <= largest) continue;
       largest = amplitude;
       where = at.parameter / prediction.axis;
+      largest_sd = amplitude_sd(at, mode);
     }
   }
   const std::string name(prediction.model->coordinates[mode]);
@@ -428,7 +491,43 @@ std::string verdict_of(const Prediction& prediction) {
   if (largest == 0)
     return fmt::format("Over {} no stable response of {} but rest was found; {}.", range, name, change);
   return fmt::format("Over {} the stable response of {} is largest at {}{}, with a peak amplitude of {}; {}.",
-                     range, name, report::format_number(where, 6), unit, report::format_number(largest, 3), change);
+                     range, name, report::format_number(where, 6), unit,
+                     with_unit(uncertain_number(largest, largest_sd, 3), prediction.coordinate_unit), change);
+}
+
+}  // namespace
+
+namespace {
+
+std::string caption_of_band(const Prediction& prediction) {
+  return prediction.uncertain.empty() ? ""
+                                      : " Shaded: two standard deviations on both sides, by the error bars of the "
+                                        "parameters alone; a band thinner than the line is under it.";
+}
+
+// What each parameter is: a number with its error bar; a frequency that follows others by its relation.
+void add_parameters(report::HtmlReport& page, const Prediction& prediction) {
+  const CompiledModel& model = *prediction.model;
+  const LockedExcitations locked(model, *prediction.resonance);
+  Table table;
+  table.columns = {
+      {"Symbol", Column::Kind::text, ""}, {"Value", Column::Kind::number, ""}, {"Unit", Column::Kind::text, ""}};
+  for (std::size_t p = 0; p < prediction.names.size(); ++p) {
+    const std::string& name = prediction.names[p];
+    if ((prediction.vary && prediction.vary->name == name) ||
+        (prediction.against && prediction.against->name == name))
+      continue;
+    const auto place = static_cast<Eigen::Index>(p);
+    const std::size_t frequency = p - model.symbols.size();
+    if (p >= model.symbols.size() && frequency < model.excitations.size() && locked.follows(frequency)) {
+      table.rows.push_back({name, "follows: " + locked.text(frequency), ""});
+      continue;
+    }
+    const double sd = prediction.uncertain.empty() ? 0 : prediction.directions.row(place).norm();
+    table.rows.push_back(
+        {name, uncertain_number(prediction.parameters(place), sd, 6), report::pretty_unit(prediction.units[p])});
+  }
+  page.table(table);
 }
 
 }  // namespace
@@ -438,7 +537,8 @@ std::vector<report::NamedFigure> prediction_figures(const Prediction& prediction
   if (!prediction.backbones.empty()) {
     for (std::size_t b = 0; b < prediction.backbones.size(); ++b)
       figures.push_back({"backbone_" + prediction.backbones[b].first, backbone_figure(prediction, b),
-                         "Frequency and decay rate of a free decay of this mode alone against its amplitude."});
+                         "Frequency and decay rate of a free decay of this mode alone against its amplitude." +
+                             caption_of_band(prediction)});
   } else if (prediction.against) {
     if (prediction.curves.empty()) return figures;
     figures.push_back({"plane", parameter_plane(prediction),
@@ -447,9 +547,9 @@ std::vector<report::NamedFigure> prediction_figures(const Prediction& prediction
     figures.push_back(
         {"amplitude", amplitude_diagram(prediction), "The same curves: amplitude of the response on them."});
   } else {
-    figures.push_back(
-        {"response", response_figure(prediction),
-         "Solid: stable; dashed: unstable. Marked: points where stability changes or branches meet."});
+    figures.push_back({"response", response_figure(prediction),
+                       "Solid: stable; dashed: unstable. Marked: points where stability changes or branches meet." +
+                           caption_of_band(prediction)});
     if (Figure phases = phase_figure(prediction); !phases.panels.empty())
       figures.push_back({"phases", std::move(phases), "Phases at the time when the excitation is at its peak."});
   }
@@ -484,7 +584,7 @@ std::string prediction_report(const Prediction& prediction, const std::vector<re
     for (const ResponseBranch& branch : prediction.diagram.branches)
       for (const ResponseSpecial& special : branch.special) {
         const bool fold = special.kind == SpecialKind::saddle_node;
-        const std::string where = with_unit(special.at.parameter / prediction.axis, prediction.axis_unit);
+        const std::string where = with_unit(special_place(prediction, special), prediction.axis_unit);
         if ((!branch.at_rest && !fold) || said.size() == 4 ||
             std::find(said.begin(), said.end(), where) != said.end())
           continue;
@@ -507,20 +607,11 @@ std::string prediction_report(const Prediction& prediction, const std::vector<re
       "Steady states of the modulation equations, by pseudo-arclength continuation from searches at several places "
       "of the range. The search is heuristic: a branch that no start and no crossing leads to would be missed.");
   page.bullets(prediction.diagram.notes);
-  page.details("Parameters", [&] {
-    Table table;
-    table.columns = {
-        {"Symbol", Column::Kind::text, ""}, {"Value", Column::Kind::number, ""}, {"Unit", Column::Kind::text, ""}};
-    for (std::size_t p = 0; p < prediction.names.size(); ++p) {
-      const std::string& name = prediction.names[p];
-      if ((prediction.vary && prediction.vary->name == name) ||
-          (prediction.against && prediction.against->name == name))
-        continue;
-      table.rows.push_back({name, report::format_number(prediction.parameters(static_cast<Eigen::Index>(p)), 6),
-                            report::pretty_unit(prediction.units[p])});
-    }
-    page.table(table);
-  });
+  page.paragraph(prediction.uncertain.empty()
+                     ? "No bands are drawn: " + prediction.no_spread_because + "."
+                     : "Bands and numbers in brackets are the error bars of the estimated parameters, carried over "
+                       "to first order. What the expansion leaves out is not among them.");
+  page.details("Parameters", [&] { add_parameters(page, prediction); });
   page.provenance({command, report::program_version, {"model source: " + std::string(prediction.model->source)}});
   return page.html();
 }

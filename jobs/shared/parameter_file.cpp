@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -31,6 +32,34 @@ std::string file_named(const std::string& path) {
   throw InputError(path, place, fault, expected);
 }
 
+// A list of names and a square matrix of as many numbers a side; null stands for a number that is not known.
+NamedCovariance read_covariance(const nlohmann::json& entry, const std::string& path, const std::string& place) {
+  const auto is_list = [&](const char* key) {
+    return entry.is_object() && entry.contains(key) && entry[key].is_array();
+  };
+  if (!is_list("names") || !is_list("matrix") || entry["matrix"].size() != entry["names"].size())
+    refuse(path, place, "has no names and as many rows of a matrix");
+  NamedCovariance result;
+  for (const nlohmann::json& name : entry["names"]) {
+    if (!name.is_string()) refuse(path, place, "has a name that is no text");
+    result.names.push_back(name.get<std::string>());
+  }
+  const auto count = static_cast<Eigen::Index>(result.names.size());
+  result.matrix.resize(count, count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const nlohmann::json& row = entry["matrix"][static_cast<std::size_t>(r)];
+    if (!row.is_array() || static_cast<Eigen::Index>(row.size()) != count)
+      refuse(path, place + ", row " + std::to_string(r + 1), "has not as many numbers as there are names");
+    for (Eigen::Index c = 0; c < count; ++c) {
+      const nlohmann::json& number = row[static_cast<std::size_t>(c)];
+      if (!number.is_number() && !number.is_null())
+        refuse(path, place + ", row " + std::to_string(r + 1), "has an entry that is no number");
+      result.matrix(r, c) = number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
+    }
+  }
+  return result;
+}
+
 void read_representative(const nlohmann::json& entry, const std::string& path, GivenParameters& given) {
   const std::string place = "key representative";
   if (!entry.is_object() || !entry.contains("values") || !entry["values"].is_object() ||
@@ -41,6 +70,8 @@ void read_representative(const nlohmann::json& entry, const std::string& path, G
       refuse(path, place, "has a value that is not a number", "a number was expected for " + name);
     given.representative[name] = value.get<double>();
   }
+  if (entry.contains("covariance"))
+    given.representative_covariance = read_covariance(entry["covariance"], path, place + ", covariance");
   for (const nlohmann::json& name : entry["steady_motions_of"]) {
     if (!name.is_string()) refuse(path, place, "has a case that is no name");
     given.identified_cases.insert(name.get<std::string>());
@@ -88,9 +119,12 @@ GivenParameters parameters_of(const std::string& text, const std::string& path) 
     if (entry.contains("sd") && entry["sd"].is_number() && entry["sd"].get<double>() > 0)
       given.sd[symbol] = entry["sd"].get<double>();
     if (entry.contains("unit") && entry["unit"].is_string()) given.units[symbol] = entry["unit"];
+    if (entry.contains("doubtful") && entry["doubtful"] == true) given.doubtful.insert(symbol);
   }
   if (document.contains("coordinate_unit") && document["coordinate_unit"].is_string())
     given.coordinate_unit = document["coordinate_unit"];
+  if (document.contains("covariance"))
+    given.covariance = read_covariance(document["covariance"], path, "key covariance");
   if (document.contains("lumps")) read_lump_units(document["lumps"], given);
   if (document.contains("representative")) read_representative(document["representative"], path, given);
   return given;

@@ -223,14 +223,17 @@ void look_at_file(const FileLook& look, const DataFile& data, const FileInspecti
     std::vector<double> values = variable.values;
     drop_fill_values(values);
     if (!number_range_fault(values).empty()) continue;
-    campaign.channels.push_back({variable.name, ChannelRole::response,
+    const bool drives = variable.quantity == Quantity::force;  // a blow is no knock at a sensor
+    campaign.channels.push_back({variable.name, drives ? ChannelRole::excitation : ChannelRole::response,
                                  variable.quantity.value_or(Quantity::displacement),
                                  variable.unit.empty() ? variable.stated_unit : variable.unit});
     record.channels.push_back(std::move(values));
   }
   RecordEntry entry;
   entry.file = std::filesystem::path(data.file).filename().string();
-  entry.kind = RecordKind::free_decay;
+  const bool driven = std::any_of(campaign.channels.begin(), campaign.channels.end(),
+                                  [](const Channel& channel) { return channel.role == ChannelRole::excitation; });
+  entry.kind = driven ? RecordKind::impact : RecordKind::free_decay;
   campaign.records.push_back(std::move(entry));
   if (record.channels.empty()) return;
   if (!data.partial) {

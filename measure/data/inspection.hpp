@@ -62,8 +62,9 @@ struct FileInspection {
 };
 
 /// What else looks at a file that has a time axis: as a campaign of one record, a free decay, whose responses are
-/// the variables beside the time. Displacements, where the file does not say what they are; missing samples are
-/// NaN.
+/// the variables beside the time, but for forces, which
+/// drive: with one it is an impact. Displacements, where the file does not say what they
+/// are; missing samples are NaN.
 using FileLook = std::function<void(const Campaign&, const Record&)>;
 
 /// Throws InputError as read_data_file does.

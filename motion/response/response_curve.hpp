@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,15 @@
 #include "motion/response/response_field.hpp"
 
 namespace secular {
+
+/// One standard deviation of a response curve, of one mode's amplitude |B| against the varied parameter. Where the
+/// curve turns back in the parameter `amplitude` is infinite, where it turns in the amplitude `parameter` is.
+struct CurveSpread {
+  double amplitude = 0;  ///< of the amplitude, at the parameter's value
+  double parameter = 0;  ///< of the parameter, at the amplitude
+  /// Across the curve, in (parameter, amplitude): finite everywhere, and what a band is drawn with.
+  double across_parameter = 0, across_amplitude = 0;
+};
 
 /// A steady response.
 struct ResponsePoint {
@@ -19,6 +29,7 @@ struct ResponsePoint {
   int unstable = 0;              ///< eigenvalues with a positive real part
   bool at_rest = false;          ///< no mode oscillates
   bool outside = false;          ///< of the expansion's range; marked by whoever knows that range
+  std::vector<CurveSpread> spread = {};  ///< [mode]; set by whoever knows the parameters' error bars, else empty
 };
 
 struct ResponseSpecial {
@@ -27,6 +38,7 @@ struct ResponseSpecial {
   double frequency = 0;   ///< rad/s, of a Hopf point
   bool polished = false;  ///< SpecialPoint::polished
   SpecialPoint source;    ///< in the states of ResponseField::reduced()
+  std::optional<double> sd = {};  ///< of the parameter there; set as ResponsePoint::spread is
 };
 
 struct ResponseBranch {

@@ -29,6 +29,8 @@ const char* name_of(report::SeriesStyle style) {
       return "error_bars";
     case report::SeriesStyle::band:
       return "band";
+    case report::SeriesStyle::region:
+      return "region";
   }
   return "line";
 }

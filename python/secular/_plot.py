@@ -14,6 +14,18 @@ def _label(axis: dict) -> str:
     return f"{axis['label']} ({axis['unit']})" if axis["unit"] else axis["label"]
 
 
+def _outlines(x: list, y: list) -> list:
+    """The closed outlines of a region: x and y of each; a value that is no number ends one."""
+    outlines: list = [([], [])]
+    for a, b in zip(x, y):
+        if a == a and b == b:
+            outlines[-1][0].append(a)
+            outlines[-1][1].append(b)
+        elif outlines[-1][0]:
+            outlines.append(([], []))
+    return [outline for outline in outlines if outline[0]]
+
+
 def _draw_series(axes, series: dict) -> None:
     colour, label = _COLOURS[series["role"]], series["name"] or None
     marker = _MARKERS[(series["group"] or 0) % len(_MARKERS)]
@@ -24,6 +36,9 @@ def _draw_series(axes, series: dict) -> None:
         low = [a - b for a, b in zip(y, series["y_error"])]
         high = [a + b for a, b in zip(y, series["y_error"])]
         axes.fill_between(x, low, high, color=colour, alpha=0.25, linewidth=0, label=label)
+    elif style == "region":
+        for i, (a, b) in enumerate(_outlines(x, y)):
+            axes.fill(a, b, color=colour, alpha=0.25, linewidth=0, label=None if i else label)
     elif style == "error_bars":
         axes.errorbar(x, y, yerr=series["y_error"], color=colour, marker=marker, markersize=4, markerfacecolor=face,
                       linestyle="none", capsize=2, label=label)

@@ -207,6 +207,34 @@ TEST(TablesOfLines, AreImportedByTheCommandThatInspectPrints) {
   fs::remove_all(folder);
 }
 
+// Where names are of another language, the unit says which column holds the frequencies; a level that stays the
+// same is no dead channel. With --dry-run nothing is written.
+TEST(TablesOfLines, AreProposedByTheUnitOfTheirFrequencies) {
+  const fs::path folder = testing_support::process_folder() / "table_by_unit";
+  fs::create_directories(folder);
+  std::ofstream(folder / "stufen.csv") << "VibControl 4.2;;;\nDatum:;14.05.2024;;\n\n"
+                                          "Frequenz;Anregung;Spitze;Phase\nHz;m/s^2;mm;deg\n"
+                                          "17,5;0,02;0,31;-12,5\n18;0,02;0,9;-40\n18,5;0,02;0,42;-150\n";
+  const testing_support::Outcome seen = testing_support::run_program(folder, "inspect stufen.csv");
+  EXPECT_NE(seen.output.find("To use it as a table of lines: secular import stufen.csv -o CAMPAIGN --kind lines "
+                             "--column 'f=Frequenz' --channel Anregung:excitation --channel Spitze:response "
+                             "--column Spitze.phase=Phase"),
+            std::string::npos)
+      << seen.output;
+  EXPECT_EQ(seen.output.find("dead channel"), std::string::npos) << seen.output;
+  const std::size_t begin = seen.output.find("import "), end = seen.output.find('\n', begin);
+  std::string command = seen.output.substr(begin, end - begin);
+  command.replace(command.find("CAMPAIGN"), 8, "typed");
+  const testing_support::Outcome told = testing_support::run_program(folder, command + " --dry-run");
+  EXPECT_EQ(told.status, 0) << told.errors;
+  EXPECT_NE(told.output.find("would make typed: 2 channels, 1 table of lines"), std::string::npos) << told.output;
+  EXPECT_NE(told.output.find("channel Spitze: response, displacement in m"), std::string::npos) << told.output;
+  EXPECT_FALSE(fs::exists(folder / "typed"));
+  ASSERT_EQ(testing_support::run_program(folder, command).status, 0);
+  EXPECT_EQ(read_campaign(folder / "typed").records.size(), 3U);
+  fs::remove_all(folder);
+}
+
 TEST_F(SlowTablesOfLines, AreDiagnosed) {
   import_table("right", table_of(simulated(), true));
   ASSERT_EQ(run("diagnose right --model duffing -o d").status, 0);

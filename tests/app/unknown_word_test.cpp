@@ -55,6 +55,14 @@ TEST_F(TypedWords, UnknownOnesAreNamedWithWhatMayBeMeant) {
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_EQ(outcome.errors, "secular: " + message + "\n");
   }
+  // Of a value that is one of several words.
+  const Outcome curve =
+      run("predict duffing --parameters p --vary F 1 2 --against e 1 2 --curve saddle-node -o out");
+  EXPECT_EQ(curve.status, 2);
+  EXPECT_NE(curve.errors.find("--curve: saddle-node is none of saddle_node, threshold, hopf, peak; did you mean "
+                              "saddle_node?"),
+            std::string::npos)
+      << curve.errors;
   // What is missing is still said where every word is known.
   EXPECT_NE(run("identify c --model duffing").errors.find("--output is required"), std::string::npos);
 }

@@ -76,6 +76,27 @@ TEST(HtmlReport, WarningsAreSaidOnceAndAboveTheBody) {
   EXPECT_LT(page.find("clipping"), page.find("body text"));
 }
 
+// Long names part behind their own marks, a number before what is said of it; on a phone rows of wide tables are
+// lists, each cell beside its heading.
+TEST(HtmlReport, WideTablesFit) {
+  HtmlReport report("title");
+  report.table({{{"Lump", Column::Kind::text, ""},
+                 {"Estimate", Column::Kind::number, "1/s"},
+                 {"File", Column::Kind::text, ""},
+                 {"Remark", Column::Kind::text, ""}},
+                {{"harmonic_re_v1_A_v1_conjA_v1", "0.22(1) doubtful", "records/0001.csv", "as <it> is"}},
+                {},
+                ""});
+  report.table({{{"n", Column::Kind::number, ""}, {"m", Column::Kind::number, ""}}, {{"1", "2"}}, {}, ""});
+  const std::string page = report.html();
+  EXPECT_EQ(test::first_markup_error(page), "");
+  EXPECT_NE(page.find("harmonic_<wbr>re_<wbr>v1_<wbr>A_<wbr>v1_<wbr>conjA_<wbr>v1</td>"), std::string::npos);
+  EXPECT_NE(page.find("data-label=\"Estimate (1/s)\">0.22(1) <wbr>doubtful</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"short\" data-label=\"File\">records/0001.csv</td>"), std::string::npos);
+  EXPECT_NE(page.find("as &lt;it&gt; is</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"number\">1</td>"), std::string::npos);  // two columns fit a phone
+}
+
 TEST(HtmlReport, DecimalsStandBelowEachOther) {
   HtmlReport report("title");
   report.table({{{"x", Column::Kind::number, ""}}, {{"1.25"}, {"−12"}, {"3.5"}, {""}}, {}, ""});

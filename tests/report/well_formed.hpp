@@ -10,7 +10,7 @@ namespace secular::report::test {
 /// What is wrong with the markup, or nothing: every element closed in order (HTML's void elements apart), every
 /// attribute quoted, every & the start of one of the references that the escaping writes.
 inline std::string first_markup_error(std::string_view text) {
-  static const std::set<std::string_view> void_elements = {"meta", "br", "hr"};
+  static const std::set<std::string_view> void_elements = {"meta", "br", "hr", "wbr"};
   std::vector<std::string> open;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '&') {

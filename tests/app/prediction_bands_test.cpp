@@ -1,0 +1,126 @@
+// Predictions from an estimate.json have error bars; from a plain file of numbers they have none, and say why.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/program_run.hpp"
+#include "tests/campaign/temporary_folder.hpp"
+
+namespace secular {
+namespace {
+
+using nlohmann::json;
+
+// Growth (m/2) (1 - p a^2/4) of a motion that sustains itself.
+const char* const rayleigh = R"toml(schema = 1
+name = "sustained"
+[[mode]]
+coordinate = "x"
+frequency = "w"
+equation = "D2(x) + w^2*x = m*(1 - p*x^2)*D(x)"
+[[case]]
+name = "free"
+order = { m = 1, p = 0 }
+expand_to = 1
+excitation = false
+)toml";
+
+json entry(const char* name, double value, double sd) {
+  return {{"name", name}, {"value", value}, {"sd", sd}, {"unit", "1/s"}};
+}
+
+class PredictionBands : public TemporaryFolder {
+ protected:
+  testing_support::Outcome predicted(const std::string& arguments) const {
+    testing_support::Outcome outcome =
+        testing_support::run_with_shared_cache(folder_, "predict " + arguments + " --force -o out");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return outcome;
+  }
+  json result() const { return json::parse(read("out/prediction.json")); }
+};
+
+TEST_F(PredictionBands, LimitCyclesHaveErrorBarsAndAreMarked) {
+  write("model.toml", rayleigh);
+  const double covariance = 0.5 * 0.02 * 0.04;  // of p and m: the amplitude knows p alone
+  const json estimate = {
+      {"estimates", {entry("w", 10, 0.01), entry("m", 0.4, 0.04), entry("p", 1, 0.02)}},
+      {"coordinate_unit", "m"},
+      {"covariance",
+       {{"names", {"w", "m", "p"}}, {"matrix", {{1e-4, 0, 0}, {0, 1.6e-3, covariance}, {0, covariance, 4e-4}}}}}};
+  write("estimate.json", estimate.dump());
+  const testing_support::Outcome outcome = predicted("model.toml --parameters estimate.json");
+  EXPECT_NE(outcome.output.find("limit cycle, stable: amplitude 2.000(20)"), std::string::npos) << outcome.output;
+  const json cycle = result().at("backbones").at(0).at("limit_cycles").at(0);
+  EXPECT_NEAR(cycle.at("amplitude_sd").get<double>(), 0.02, 1e-5);  // a = 2/sqrt(p)
+  EXPECT_NEAR(cycle.at("frequency_sd").get<double>(), 0.01, 1e-5);
+  const json& points = result().at("backbones").at(0).at("points");
+  EXPECT_GT(points.back().at("amplitude").get<double>(), 2);  // the backbone goes beyond its cycle
+  EXPECT_NEAR(points.front().at("growth_sd").get<double>(), 0.02, 1e-4);
+  const std::string report = read("out/report.html");
+  EXPECT_NE(report.find("A stable limit cycle of x"), std::string::npos);
+  EXPECT_NE(report.find("limit cycle, stable"), std::string::npos);  // of the figure's legend
+}
+
+TEST_F(PredictionBands, ResponsesTakeOverWhatIsNotGivenExactly) {
+  const json estimate = {{"estimates",
+                          {entry("omega0", 100, 0.05), entry("mu", 0.5, 0.01), entry("a2", 0, 0),
+                           entry("a3", 4e5, 2e4), entry("e", 1, 0.02)}},
+                         {"covariance", {{"names", {"omega0", "mu"}}, {"matrix", {{2.5e-3, 0}, {0, 1e-4}}}}}};
+  write("estimate.json", estimate.dump());
+  const std::string line = "duffing --case primary --parameters estimate.json --at F=0.02 --vary Omega 97 103";
+  predicted(line);
+  json all = result();
+  EXPECT_EQ(all.at("error_bars_of"), json({"omega0", "mu"}));
+  // Nearly linear: the peak F/(2 mu omega0) is as uncertain as mu, and at half height omega0 counts.
+  double largest = 0, sd = 0;
+  for (const json& branch : all.at("branches"))
+    for (const json& point : branch.at("points"))
+      if (const double a = point.at("modes").at(0).at("amplitude"); a > largest) {
+        largest = a;
+        sd = point.at("modes").at(0).at("amplitude_sd");
+      }
+  EXPECT_NEAR(sd / largest, 0.02, 0.004);
+  EXPECT_NE(read("out/report.html").find("two standard deviations on both sides"), std::string::npos);
+  EXPECT_NE(read("out/prediction.csv").find(",amplitude_sd_x\n"), std::string::npos);
+  // What is given exactly has no error bar.
+  predicted(line + " --at mu=0.5");
+  EXPECT_EQ(result().at("error_bars_of"), json({"omega0"}));
+  predicted(line + " --at mu=0.5 --at omega0=100");
+  EXPECT_FALSE(result().contains("error_bars_of"));
+  EXPECT_NE(result().at("no_error_bars_because").get<std::string>().find("no parameter"), std::string::npos);
+}
+
+TEST_F(PredictionBands, AreMissingWithTheReason) {
+  write("numbers.json", R"({"omega0": 100, "mu": 0.5, "a2": 0, "a3": 4e5, "e": 1})");
+  const std::string rest = " --at F=0.02 --vary Omega 97 103";
+  predicted("duffing --case primary --parameters numbers.json" + rest);
+  EXPECT_EQ(result().at("no_error_bars_because"), "numbers.json holds no covariance");
+  EXPECT_NE(read("out/report.html").find("No bands are drawn: numbers.json holds no covariance."),
+            std::string::npos);
+  EXPECT_EQ(read("out/prediction.csv").find("amplitude_sd"), std::string::npos);
+  // What the estimate doubts is doubtful here, too.
+  json doubtful = {{"estimates",
+                    {entry("omega0", 100, 0.05), entry("mu", 0.5, 0.01), entry("a2", 0, 0), entry("a3", 4e5, 1),
+                     entry("e", 1, 0.02)}},
+                   {"covariance", {{"names", {"mu"}}, {"matrix", {{1e-4}}}}}};
+  doubtful["estimates"][1]["doubtful"] = true;
+  write("doubtful.json", doubtful.dump());
+  EXPECT_NE(predicted("duffing --case primary --parameters doubtful.json" + rest)
+                .errors.find("marks mu as doubtful: bands and error bars of the prediction are as doubtful"),
+            std::string::npos);
+  // A covariance that is no matrix is refused by name.
+  doubtful["covariance"]["matrix"] = {{1e-4, 0}};
+  write("bent.json", doubtful.dump());
+  const testing_support::Outcome refused = testing_support::run_with_shared_cache(
+      folder_, "predict duffing --case primary --parameters bent.json" + rest + " --force -o out");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("bent.json, key covariance, row 1: has not as many numbers as there are names"),
+            std::string::npos)
+      << refused.errors;
+}
+
+}  // namespace
+}  // namespace secular
