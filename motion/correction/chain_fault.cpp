@@ -19,8 +19,8 @@ using Complex = std::complex<double>;
 /// Lines at a multiple of a frequency are there to this, relative.
 constexpr double same_line = 1e-3;
 
-// By how much the frequency of a mode grows in a second in each of a decay's windows, rad/s^2: that of the likeliest
-// frequency of second degree in the squared amplitude, by the measured rates.
+// By how much the frequency of a mode grows in a second in each of a decay's windows, rad/s^2: that of the
+// likeliest frequency of second degree in the squared amplitude, by the measured rates.
 Eigen::VectorXd growth_of_frequency(std::span<const Observation> windows, std::size_t mode) {
   const auto count = static_cast<Eigen::Index>(windows.size());
   double largest = 0;
@@ -111,7 +111,8 @@ std::vector<ObservationSet> without_fault(std::span<const ObservationSet> sets, 
     for (std::size_t s = 0; s < before.size(); ++s) {
       if (before[s].resonance->excited) continue;
       for (const RecordRange& range : ranges_of_records(before[s].observations))
-        take_poles_off_rates(filter, std::span(before[s].observations).subspan(range.begin, range.end - range.begin));
+        take_poles_off_rates(filter,
+                             std::span(before[s].observations).subspan(range.begin, range.end - range.begin));
     }
     return before;
   }

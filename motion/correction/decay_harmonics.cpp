@@ -14,7 +14,6 @@
 #include "input/numerical_failure.hpp"
 #include "measure/observe/common_observations.hpp"
 #include "measure/observe/modal_projection.hpp"
-#include "measure/thresholds.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -53,10 +52,15 @@ Complex to_frame(Complex line, Complex amplitude, int multiple) {
   return multiple == 0 ? line : line * std::pow(std::conj(amplitude) / std::abs(amplitude), multiple);
 }
 
+// One length of a stretch has one more window than later ones overlap with, and a stretch is two lengths.
+double windows_of_stretch(const Observation& o) {
+  return o.overlap ? static_cast<double>(o.overlap->size() + 2) : 2;
+}
+
 // How many times windows of a stretch, which share samples, scatter by more about a slow course than as many
 // independent ones: 1 + 2 sum_n (1 - n/N) rho_n, N windows, with rho of docs/inference.md (44).
 double overlap_of(const Observation& o, std::size_t block) {
-  const auto count = static_cast<double>(measure_thresholds().windows_in_a_stretch);
+  const double count = windows_of_stretch(o);
   double sum = 1;
   for (std::size_t n = 1; o.overlap && n <= o.overlap->size(); ++n)
     sum += 2 * (1 - static_cast<double>(n) / count) * (*o.overlap)[n - 1].harmonic[block];
@@ -124,9 +128,9 @@ class DecayLines {
     const double was = std::abs(replayed.amplitude[mode]), is = std::abs(o.amplitude[mode]);
     if (!(was > 0)) return;
     const double overlap = overlap_of(o, b);
-    lines_.push_back({s, i, b, mode, multiple, o.harmonic_sd[b], overlap,
-                      std::pow(is / was, multiple) *
-                          to_frame(replayed.harmonic[b], replayed.amplitude[mode], multiple)});
+    lines_.push_back(
+        {s, i, b, mode, multiple, o.harmonic_sd[b], overlap,
+         std::pow(is / was, multiple) * to_frame(replayed.harmonic[b], replayed.amplitude[mode], multiple)});
     rows_ += 2;
     independent_ += 2 / overlap;
     frequency_ += (o.rate[mode].imag() - frequency_) / static_cast<double>(lines_.size());
@@ -139,7 +143,7 @@ class DecayLines {
     const double by = std::norm(o.amplitude.front()) / std::norm(replayed.amplitude.front());
     if (!std::isfinite(by)) return;
     // A mean takes all samples of its window alike: two lengths of a stretch hold two of them.
-    const double overlap = 0.5 * static_cast<double>(measure_thresholds().windows_in_a_stretch);
+    const double overlap = 0.5 * windows_of_stretch(o);
     means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), overlap, by * replayed.mean.front()});
     independent_ += 1 / overlap;
   }

@@ -68,16 +68,16 @@ TEST(DecayChain, ThatIsGoodIsNotDoubted) {
     const Identification id = identified_by_chain(lopsided_decays(seed), [](std::vector<double>&, std::size_t) {});
     EXPECT_FALSE(warns(id.estimate.warnings, "harmonics of the decays are not those"));
     EXPECT_FALSE(warns(id.estimate.warnings, "the amplitude steps"));
-    for (const char* name : {"omega0", "mu", "a2", "a3"}) EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
+    for (const char* name : {"omega0", "mu", "a2", "a3"})
+      EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
     EXPECT_LT(std::abs(*value_of(id.estimate, "a3").value - cubic_of_decay), 4 * value_of(id.estimate, "a3").sd);
   }
 }
 
 // A pole at three times the frequency: a3 is a tenth too large.
 TEST(DecayChain, LowPassIsToldByHarmonics) {
-  const Identification id = identified_by_chain(lopsided_decays(11), [](std::vector<double>& y, std::size_t) {
-    pass_pole(y, 1 / (3 * 125.66));
-  });
+  const Identification id = identified_by_chain(
+      lopsided_decays(11), [](std::vector<double>& y, std::size_t) { pass_pole(y, 1 / (3 * 125.66)); });
   EXPECT_TRUE(warns(id.estimate.warnings, "low-pass of"));
   EXPECT_GT(*value_of(id.estimate, "a3").value / cubic_of_decay, 1.06);
   expect_truth_or_doubt(id);
@@ -96,10 +96,11 @@ TEST(DecayChain, EvenLawIsToldByMeans) {
 }
 
 TEST(DecayChain, StepOfTheSensitivityIsSeen) {
-  const Identification id = identified_by_chain(lopsided_decays(12), [](std::vector<double>& y, std::size_t record) {
-    if (record == 0)
-      for (std::size_t i = 600; i < y.size(); ++i) y[i] *= 1.04;
-  });
+  const Identification id =
+      identified_by_chain(lopsided_decays(12), [](std::vector<double>& y, std::size_t record) {
+        if (record == 0)
+          for (std::size_t i = 600; i < y.size(); ++i) y[i] *= 1.04;
+      });
   EXPECT_TRUE(warns(id.estimate.warnings, "the amplitude steps by"));
   expect_truth_or_doubt(id);
 }
