@@ -299,8 +299,9 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
   std::vector<FoundFault> result;
   for (const Explained& one : explained) {
     const double gain = without.squaredNorm() - one.chi_squared;
-    if (gain <= by_chance || one.chi_squared > least + by_chance) continue;
-    result.push_back({one.fault, std::sqrt(1 - by_chance / gain)});
+    const double beside_best = 1 - (one.chi_squared - least) / by_chance;
+    if (gain <= by_chance || beside_best <= 0) continue;
+    result.push_back({one.fault, std::sqrt((1 - by_chance / gain) * beside_best)});
   }
   return result;
 }
