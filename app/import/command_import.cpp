@@ -70,6 +70,21 @@ void add_table_options(CLI::App& command, ImportOptions& import) {
                      "lines: Hz (default), kHz, rad/s or 1/min, where the file does not say it");
 }
 
+// What the channels are, and how late.
+void add_channel_options(CLI::App& command, ImportOptions& import) {
+  command
+      .add_option("--channel", import.channels,
+                  "NAME:ROLE:QUANTITY:UNIT of a variable, once for each channel; NAME:ROLE where the file says the "
+                  "rest; NAME=VARIABLE:... renames it; ...:UNIT:FACTOR where a number x means x*FACTOR in UNIT")
+      ->expected(1)
+      ->take_all();
+  command
+      .add_option("--delay", import.delays,
+                  "NAME=S: samples of a channel come S seconds late against the others', by a mere delay")
+      ->expected(1)
+      ->take_all();
+}
+
 }  // namespace
 
 void add_import_command(CLI::App* command, Action& chosen) {
@@ -85,18 +100,7 @@ void add_import_command(CLI::App* command, Action& chosen) {
       ->required();
   options->output.add_to(*command);
   command->add_option("--kind", import.kind, std::string(record_kind_list) + "; lines: a table, see below");
-  command
-      ->add_option(
-          "--channel", import.channels,
-          "NAME:ROLE:QUANTITY:UNIT of a variable, once for each channel; NAME:ROLE where the file says the "
-          "rest; NAME=VARIABLE:... renames it; ...:UNIT:FACTOR where a number x means x*FACTOR in UNIT")
-      ->expected(1)
-      ->take_all();
-  command
-      ->add_option("--delay", import.delays,
-                   "NAME=S: samples of a channel come S seconds late against the others', by a mere delay")
-      ->expected(1)
-      ->take_all();
+  add_channel_options(*command, import);
   command->add_option("--time", import.time,
                       "variable that holds the time (default: the one called t or time), in seconds where neither "
                       "the file nor NAME:UNIT "

@@ -169,10 +169,12 @@ std::pair<std::string, std::string> words_of(const SizedFault& fault) {
   switch (fault.kind) {
     case ChainFault::even_law:
       return {"the even part of a sensor's law",
-              fmt::format("an even part of a sensor's law, {:.2g} % of second harmonic at the largest motion", percent)};
+              fmt::format("an even part of a sensor's law, {:.2g} % of second harmonic at the largest motion",
+                          percent)};
     case ChainFault::cubic_law:
-      return {"the cubic part of a sensor's law",
-              fmt::format("a cubic part of a sensor's law, {:.2g} % of third harmonic at the largest motion", percent)};
+      return {
+          "the cubic part of a sensor's law",
+          fmt::format("a cubic part of a sensor's law, {:.2g} % of third harmonic at the largest motion", percent)};
     default:
       return {"a low-pass in the responses",
               fmt::format("a low-pass of {} in the responses that takes {:.2g} % off amplitudes",
@@ -189,15 +191,16 @@ void judge_decays(const std::vector<FoundFault>& faults, const std::vector<Obser
   for (const FoundFault& one : faults) {
     const auto [part, words] = words_of(one.fault);
     made_by += (made_by.empty() ? "" : ", or ") + words;
-    allowed = allow_for(id.estimate, part, [&] {
-      return estimate_with_phases(without_fault(observed, one.fault), task).of.estimate;
-    }, one.counts);
+    allowed = allow_for(
+        id.estimate, part,
+        [&] { return estimate_with_phases(without_fault(observed, one.fault), task).of.estimate; }, one.counts);
   }
   if (!faults.empty())
-    id.estimate.warnings.push_back(fmt::format(
-        "harmonics of the decays are not those that the model makes of their motion. What may have made them: {}; {}. "
-        "Where it is the structure's (a law that the model lacks), `secular diagnose` looks for it",
-        made_by, allowed));
+    id.estimate.warnings.push_back(
+        fmt::format("harmonics of the decays are not those that the model makes of their motion. What may have "
+                    "made them: {}; {}. "
+                    "Where it is the structure's (a law that the model lacks), `secular diagnose` looks for it",
+                    made_by, allowed));
 }
 
 /// A step of the sensitivity in a decay: either of the two may be the right one. docs/inference.md (63).
@@ -206,9 +209,10 @@ void judge_step(const std::optional<GainStep>& step, const std::vector<Observati
   if (!step) return;
   std::string allowed;
   for (const RightGain right : {RightGain::before, RightGain::behind})
-    allowed = allow_for(id.estimate, "a step of the sensitivity", [&] {
-      return estimate_with_phases(with_one_gain(observed, *step, right), task).of.estimate;
-    }, step->counts);
+    allowed = allow_for(
+        id.estimate, "a step of the sensitivity",
+        [&] { return estimate_with_phases(with_one_gain(observed, *step, right), task).of.estimate; },
+        step->counts);
   id.estimate.warnings.push_back(fmt::format(
       "{}: the amplitude steps by {:.2g} % at {:.4g} s and the phase does not, as where a sensitivity changes: {}. "
       "--to or --from leave one side of it",
@@ -223,10 +227,10 @@ void judge_drift(const std::vector<ObservationSet>& observed, const EstimateTask
   const std::string allowed =
       allow_for_estimate_without("a drift of the sensitivity", observed, task, id.estimate,
                                  [&](const ObservationSet& set) { return with_first_gain(set, *drift); });
-  id.estimate.warnings.push_back(
-      fmt::format("amplitudes over their excitation change by {:.2g} % along every dwell alike, as where a sensitivity "
-                  "drifts: {}",
-                  100 * std::expm1(*drift * longest_dwell_s(id.measured)), allowed));
+  id.estimate.warnings.push_back(fmt::format(
+      "amplitudes over their excitation change by {:.2g} % along every dwell alike, as where a sensitivity "
+      "drifts: {}",
+      100 * std::expm1(*drift * longest_dwell_s(id.measured)), allowed));
 }
 
 /// `read`: what reads the records that were observed; none: they are not read again.

@@ -97,7 +97,7 @@ struct Record {
   std::vector<std::vector<std::size_t>> no_numbers{};
   /// At the ends of the file. The record begins where all channels have begun, and ends with the first of them.
   std::vector<Unrecorded> unrecorded{};
-  std::size_t cut_off = 0;  ///< samples at both ends, for that reason
+  std::size_t cut_off = 0;        ///< samples at both ends, for that reason
   std::size_t cut_for_delay = 0;  ///< rows at both ends that some channel has no samples for, see Channel::delay_s
   /// Rows, rising, in which a channel holds what it did not measure and nothing around them tells what it would
   /// have.

@@ -57,7 +57,8 @@ std::vector<std::size_t> unusable_after(const Record& record, double earliest, d
     const auto at = static_cast<std::ptrdiff_t>(row) - static_cast<std::ptrdiff_t>(first);
     const std::ptrdiff_t from = at - static_cast<std::ptrdiff_t>(std::ceil(latest)) - half_width,
                          to = at - static_cast<std::ptrdiff_t>(std::floor(earliest)) + half_width;
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, from); i <= to && i < static_cast<std::ptrdiff_t>(count); ++i)
+    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, from); i <= to && i < static_cast<std::ptrdiff_t>(count);
+         ++i)
       rows.insert(static_cast<std::size_t>(i));
   }
   return {rows.begin(), rows.end()};
@@ -93,8 +94,8 @@ Record without_delays(const Campaign& campaign, Record record, const std::string
 
 LineRow without_delays(const Campaign& campaign, LineRow row) {
   for (TableLine& line : row.lines)
-    line.amplitude *= std::polar(1.0, 2 * std::numbers::pi * line.number.of(row.frequency_hz) *
-                                          campaign.channels[line.channel].delay_s);
+    line.amplitude *= std::polar(
+        1.0, 2 * std::numbers::pi * line.number.of(row.frequency_hz) * campaign.channels[line.channel].delay_s);
   return row;
 }
 

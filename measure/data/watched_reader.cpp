@@ -82,7 +82,8 @@ ChannelValues values_of(const Record& record, std::size_t channel, std::span<con
 Record WatchedReader::read(std::size_t index) {
   Record record = read_record(campaign_, campaign_.records[index]);
   if (record.row) {
-    record.row = std::make_shared<const LineRow>(relative_to_base(campaign_, without_delays(campaign_, *record.row)));
+    record.row =
+        std::make_shared<const LineRow>(relative_to_base(campaign_, without_delays(campaign_, *record.row)));
     return record;
   }
   const Seen* known = nullptr;

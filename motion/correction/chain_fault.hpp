@@ -18,8 +18,8 @@ enum class ChainFault {
 struct SizedFault {
   ChainFault kind = ChainFault::low_pass;
   int poles = 1;
-  /// low_pass: n (w tau)^2 of n poles, about twice the share that is lost of an amplitude. Laws: share of the second
-  /// or third harmonic that they make in the largest motion.
+  /// low_pass: n (w tau)^2 of n poles, about twice the share that is lost of an amplitude. Laws: share of the
+  /// second or third harmonic that they make in the largest motion.
   double size = 0;
   double frequency = 0;  ///< w, rad/s
   double largest = 0;    ///< half amplitude of the largest motion, as the channels show it

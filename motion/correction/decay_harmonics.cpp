@@ -36,8 +36,6 @@ constexpr double same_size = 0.02;
 constexpr int numbers_of_poles[] = {1, 4, 16, 64};
 /// Kinds of faults.
 constexpr double kinds = 3;
-/// Of a window's length, by which its neighbour may seem to overlap it.
-constexpr double rounding_of_length = 1e-3;
 
 // A line of a window, or its mean (`block` none).
 struct Line {
@@ -46,11 +44,27 @@ struct Line {
   std::size_t mode = 0;
   int multiple = 0;
   double sd = 0;
+  double overlap = 1;  // see overlap_of
   Complex replayed{};  // in the frame of the motion, at the measured amplitude
 };
 
 Complex to_frame(Complex line, Complex amplitude, int multiple) {
   return multiple == 0 ? line : line * std::pow(std::conj(amplitude) / std::abs(amplitude), multiple);
+}
+
+// One length of a stretch has one more window than later ones overlap with, and a stretch is two lengths.
+double windows_of_stretch(const Observation& o) {
+  return o.overlap ? static_cast<double>(o.overlap->size() + 2) : 2;
+}
+
+// How many times windows of a stretch, which share samples, scatter by more about a slow course than as many
+// independent ones: 1 + 2 sum_n (1 - n/N) rho_n, N windows, with rho of docs/inference.md (44).
+double overlap_of(const Observation& o, std::size_t block) {
+  const double count = windows_of_stretch(o);
+  double sum = 1;
+  for (std::size_t n = 1; o.overlap && n <= o.overlap->size(); ++n)
+    sum += 2 * (1 - static_cast<double>(n) / count) * (*o.overlap)[n - 1].harmonic[block];
+  return std::max(1.0, sum);
 }
 
 class DecayLines {
@@ -74,7 +88,7 @@ class DecayLines {
 
   bool empty() const { return lines_.empty(); }
   bool one_channel() const { return one_channel_; }
-  double freedom() const { return static_cast<double>(rows_ - offsets_ - 1); }
+  double freedom() const { return independent_ - static_cast<double>(offsets_ + 1); }
   SizedFault fault(ChainFault kind, int poles) const {
     return {kind, poles, 0, frequency_, largest_, derivatives_};
   }
@@ -90,7 +104,8 @@ class DecayLines {
       const Observation &is = sets[line.set].observations[line.observation],
                         &was = sets_[line.set].observations[line.observation];
       const Complex predicted = line.replayed + prediction(line, there, is) - prediction(line, here_, was);
-      put((measured(line, is) - predicted) / (line.block ? is.harmonic_sd[*line.block] : line.sd), line, rows, at);
+      const double sd = line.block ? is.harmonic_sd[*line.block] : line.sd;
+      put((measured(line, is) - predicted) / (sd * std::sqrt(line.overlap)), line, rows, at);
     }
     return rows - orthonormal_ * (orthonormal_.transpose() * rows);
   }
@@ -98,12 +113,7 @@ class DecayLines {
  private:
   void gather(std::size_t s, const ObservationSet& replayed) {
     const ObservationSet& set = sets_[s];
-    const Observation* last = nullptr;
     for_common_observations(set, replayed, [&](std::size_t i, std::size_t r) {
-      const Observation& o = set.observations[i];
-      if (last && last->record == o.record && o.centre_s - last->centre_s < (1 - rounding_of_length) * o.length_s)
-        return;  // it shares samples
-      last = &o;
       for (std::size_t b = 0; b < set.resonance->blocks.size(); ++b) add_block(s, i, b, replayed.observations[r]);
       if (one_channel_) add_mean(s, i, replayed.observations[r]);
     });
@@ -117,10 +127,12 @@ class DecayLines {
     if (multiple < 2 || multiple > highest_multiple || !(o.harmonic_sd[b] > 0) || o.growth_sd[mode] < 0) return;
     const double was = std::abs(replayed.amplitude[mode]), is = std::abs(o.amplitude[mode]);
     if (!(was > 0)) return;
-    lines_.push_back({s, i, b, mode, multiple, o.harmonic_sd[b],
-                      std::pow(is / was, multiple) *
-                          to_frame(replayed.harmonic[b], replayed.amplitude[mode], multiple)});
+    const double overlap = overlap_of(o, b);
+    lines_.push_back(
+        {s, i, b, mode, multiple, o.harmonic_sd[b], overlap,
+         std::pow(is / was, multiple) * to_frame(replayed.harmonic[b], replayed.amplitude[mode], multiple)});
     rows_ += 2;
+    independent_ += 2 / overlap;
     frequency_ += (o.rate[mode].imag() - frequency_) / static_cast<double>(lines_.size());
     largest_ = std::max(largest_, std::abs(o.amplitude[mode] * derived(o.rate[mode].imag(), derivatives_)));
   }
@@ -130,7 +142,10 @@ class DecayLines {
     if (o.mean.empty() || replayed.mean.empty() || !(o.mean_sd.front() > 0) || o.growth_sd.front() < 0) return;
     const double by = std::norm(o.amplitude.front()) / std::norm(replayed.amplitude.front());
     if (!std::isfinite(by)) return;
-    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), by * replayed.mean.front()});
+    // A mean takes all samples of its window alike: two lengths of a stretch hold two of them.
+    const double overlap = 0.5 * windows_of_stretch(o);
+    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), overlap, by * replayed.mean.front()});
+    independent_ += 1 / overlap;
   }
 
   static Complex measured(const Line& line, const Observation& o) {
@@ -179,7 +194,8 @@ class DecayLines {
       Index at = 0;
       for (const Line& line : lines_) {
         const Observation& o = sets_[line.set].observations[line.observation];
-        put((prediction(line, here_ + steps[static_cast<std::size_t>(d)], o) - prediction(line, here_, o)) / line.sd,
+        put((prediction(line, here_ + steps[static_cast<std::size_t>(d)], o) - prediction(line, here_, o)) /
+                (line.sd * std::sqrt(line.overlap)),
             line, column, at);
       }
       column(rows_ + d) = 1;
@@ -190,7 +206,7 @@ class DecayLines {
       if (!line.block) {
         const Observation& o = sets_[line.set].observations[line.observation];
         const Index first = count + unknowns_of_mean * records.at(o.record);
-        columns(at, first) = 1 / line.sd;
+        columns(at, first) = 1 / line.sd;  // means have one factor for all of them
         columns(at, first + 1) = o.centre_s / line.sd;
       }
       at += line.block ? 2 : 1;
@@ -209,6 +225,7 @@ class DecayLines {
   VectorXd here_;
   MatrixXd orthonormal_;
   Index rows_ = 0, offsets_ = 0;
+  double independent_ = 0;  // of the rows
 };
 
 // A fault at the size that explains most, and what is left then.
@@ -282,8 +299,9 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
   std::vector<FoundFault> result;
   for (const Explained& one : explained) {
     const double gain = without.squaredNorm() - one.chi_squared;
-    if (gain <= by_chance || one.chi_squared > least + by_chance) continue;
-    result.push_back({one.fault, std::sqrt(1 - by_chance / gain)});
+    const double beside_best = 1 - (one.chi_squared - least) / by_chance;
+    if (gain <= by_chance || beside_best <= 0) continue;
+    result.push_back({one.fault, std::sqrt((1 - by_chance / gain) * beside_best)});
   }
   return result;
 }

@@ -35,8 +35,8 @@ std::optional<Slope> slope_of(std::span<const Observation> ensembles) {
     if (!(size > 0) || !(level > 0) || !o.noise_known) return std::nullopt;
     const double share = (o.centre_s - mean) / squares;
     slope.value += share * std::log(size / level);
-    slope.variance += share * share *
-                      (std::pow(o.amplitude_sd[mode] / size, 2) + std::pow(o.forcing_sd.front() / level, 2));
+    slope.variance +=
+        share * share * (std::pow(o.amplitude_sd[mode] / size, 2) + std::pow(o.forcing_sd.front() / level, 2));
   }
   return slope.variance > 0 ? std::optional(slope) : std::nullopt;
 }
@@ -66,9 +66,9 @@ ObservationSet with_first_gain(ObservationSet set, double drift) {
   if (!set.resonance->excited) return set;
   for (const RecordRange& range : ranges_of_records(set.observations)) {
     const Observation& first = set.observations[range.begin];
-    const double begin = first.centre_s - 0.5 * (range.end - range.begin > 1
-                                                     ? set.observations[range.begin + 1].centre_s - first.centre_s
-                                                     : 0.0);
+    const double begin =
+        first.centre_s -
+        0.5 * (range.end - range.begin > 1 ? set.observations[range.begin + 1].centre_s - first.centre_s : 0.0);
     for (std::size_t i = range.begin; i < range.end; ++i) {
       Observation& o = set.observations[i];
       const double by = std::exp(-drift * (o.centre_s - begin));

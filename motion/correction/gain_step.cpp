@@ -25,8 +25,8 @@ constexpr Index unknowns = 5;
 /// Of a window's length, by which its neighbour may seem to overlap it.
 constexpr double touching = 1e-3;
 
-// Windows of one decay without a sample in common: logarithm of the amplitude (real part) and its phase, less what the
-// full equations do.
+// Windows of one decay without a sample in common: logarithm of the amplitude (real part) and its phase, less what
+// the full equations do.
 struct Course {
   std::vector<double> time, length, sd;
   std::vector<std::complex<double>> value;
@@ -58,7 +58,8 @@ Course course_of(const ObservationSet& set, const ObservationSet& replayed,
   Course course;
   std::vector<std::complex<double>> measured, rate;
   for (; begin < common.size(); ++begin) {
-    const Observation &o = set.observations[common[begin].first], &full = replayed.observations[common[begin].second];
+    const Observation &o = set.observations[common[begin].first],
+                      &full = replayed.observations[common[begin].second];
     if (o.record != record) break;
     if (!course.time.empty() && o.centre_s - course.time.back() < (1 - touching) * o.length_s) continue;
     if (o.growth_sd[mode] < 0 || !(o.amplitude_sd[mode] > 0)) continue;
@@ -146,7 +147,8 @@ std::optional<GainStep> gain_step(const CorrectedEstimate& found) {
       const Course course = course_of(set, replayed, common, begin);
       for (std::size_t i = fewest_beside; i + fewest_beside < course.time.size(); ++i) {
         const Step step = step_at(course, i);
-        Place place{{record, course.time[i], course.length[i], step.amplitude, 1}, 0, step.f_of_amplitude, step.freedom};
+        Place place{
+            {record, course.time[i], course.length[i], step.amplitude, 1}, 0, step.f_of_amplitude, step.freedom};
         if (step.f_of_phase > step.f_of_amplitude) place.f = 0;  // a knock
         places.push_back(place);
       }

@@ -17,9 +17,10 @@ struct GainStep {
   double counts = 1;    ///< share of it that chance does not make
 };
 
-/// docs/inference.md (63): the most significant step of the logarithm of the amplitude of a decay (its largest mode)
-/// beside what the full equations' motions at the estimate do and any slow course (level 0.1 % of a campaign).
-/// Nothing where the phase steps there, too, as after a knock, or where decays have fewer than seven windows.
+/// docs/inference.md (63): the most significant step of the logarithm of the amplitude of a decay (its largest
+/// mode) beside what the full equations' motions at the estimate do and any slow course (level 0.1 % of a
+/// campaign). Nothing where the phase steps there, too, as after a knock, or where decays have fewer than seven
+/// windows.
 std::optional<GainStep> gain_step(const CorrectedEstimate& found);
 
 /// The observations without windows that hold the step, and with the sensitivity that acts before it in all of the

@@ -1,14 +1,17 @@
-// What a measuring chain does to free decays: their harmonics and steps tell it.
+// What a measuring chain does to free decays and dwells: harmonics, steps and drifts tell it.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "jobs/identify/identification.hpp"
+#include "measure/data/delayed_channels.hpp"
 #include "tests/app/hardening_oscillator.hpp"
+#include "tests/app/oscillator_estimate.hpp"
 #include "tests/identification/virtual_campaign.hpp"
 
 namespace secular {
@@ -68,16 +71,16 @@ TEST(DecayChain, ThatIsGoodIsNotDoubted) {
     const Identification id = identified_by_chain(lopsided_decays(seed), [](std::vector<double>&, std::size_t) {});
     EXPECT_FALSE(warns(id.estimate.warnings, "harmonics of the decays are not those"));
     EXPECT_FALSE(warns(id.estimate.warnings, "the amplitude steps"));
-    for (const char* name : {"omega0", "mu", "a2", "a3"}) EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
+    for (const char* name : {"omega0", "mu", "a2", "a3"})
+      EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
     EXPECT_LT(std::abs(*value_of(id.estimate, "a3").value - cubic_of_decay), 4 * value_of(id.estimate, "a3").sd);
   }
 }
 
 // A pole at three times the frequency: a3 is a tenth too large.
 TEST(DecayChain, LowPassIsToldByHarmonics) {
-  const Identification id = identified_by_chain(lopsided_decays(11), [](std::vector<double>& y, std::size_t) {
-    pass_pole(y, 1 / (3 * 125.66));
-  });
+  const Identification id = identified_by_chain(
+      lopsided_decays(11), [](std::vector<double>& y, std::size_t) { pass_pole(y, 1 / (3 * 125.66)); });
   EXPECT_TRUE(warns(id.estimate.warnings, "low-pass of"));
   EXPECT_GT(*value_of(id.estimate, "a3").value / cubic_of_decay, 1.06);
   expect_truth_or_doubt(id);
@@ -96,10 +99,11 @@ TEST(DecayChain, EvenLawIsToldByMeans) {
 }
 
 TEST(DecayChain, StepOfTheSensitivityIsSeen) {
-  const Identification id = identified_by_chain(lopsided_decays(12), [](std::vector<double>& y, std::size_t record) {
-    if (record == 0)
-      for (std::size_t i = 600; i < y.size(); ++i) y[i] *= 1.04;
-  });
+  const Identification id =
+      identified_by_chain(lopsided_decays(12), [](std::vector<double>& y, std::size_t record) {
+        if (record == 0)
+          for (std::size_t i = 600; i < y.size(); ++i) y[i] *= 1.04;
+      });
   EXPECT_TRUE(warns(id.estimate.warnings, "the amplitude steps by"));
   expect_truth_or_doubt(id);
 }
@@ -111,6 +115,45 @@ TEST(DecayChain, RecordOfAnotherSensitivityWidensErrorBars) {
       if (record == 1)
         for (double& sample : y) sample *= gain;
     }));
+}
+
+// A sensitivity that grows by one percent along every dwell makes e half a percent too large.
+TEST(DwellChain, DriftOfTheSensitivityIsAllowedFor) {
+  const SimulatedCampaign made = testing_support::oscillator_campaign(
+      testing_support::lopsided_oscillator() + testing_support::dwells_at_two_levels, 14);
+  for (const double drift : {0.0, 0.008, -0.008}) {
+    SimulatedCampaign changed = made;
+    for (Record& record : changed.samples)
+      for (std::size_t i = 0; i < record.samples(); ++i)
+        record.channels[1][i] *= 1 + drift * static_cast<double>(i) / static_cast<double>(record.samples());
+    const Identification id = testing_support::identified_primary(changed);
+    EXPECT_EQ(warns(id.estimate.warnings, "along every dwell alike"), drift != 0) << drift;
+    const EstimatedValue& e = value_of(id.estimate, "e");
+    EXPECT_TRUE(e.doubtful || std::abs(*e.value - 1) < 3 * e.sd) << drift << ' ' << *e.value << ' ' << e.sd;
+    if (drift == 0) EXPECT_FALSE(e.doubtful);
+  }
+}
+
+// A common delay that is said is none that a filter may have made.
+TEST(DwellChain, DelayThatIsSaidIsNotDoubted) {
+  SimulatedCampaign late = testing_support::oscillator_campaign(
+      testing_support::lopsided_oscillator() + testing_support::dwells_at_two_levels, 15);
+  constexpr std::size_t rows = 1;  // 1/256 s
+  for (Record& record : late.samples) {
+    std::vector<double>&base = record.channels[0], &tip = record.channels[1];
+    base.erase(base.begin(), base.begin() + rows);
+    tip.erase(tip.end() - rows, tip.end());
+  }
+  EXPECT_TRUE(warns(testing_support::identified_primary(late).estimate.warnings, "late alike"));
+  late.campaign.channels[1].delay_s = rows / late.campaign.sample_rate_hz;
+  for (Record& record : late.samples) record = without_delays(late.campaign, record, "dwell");
+  const Identification id = testing_support::identified_primary(late);
+  EXPECT_FALSE(warns(id.estimate.warnings, "late alike"));
+  for (const auto& [name, truth] : {std::pair{"a3", cubic_of_decay}, std::pair{"e", 1.0}}) {
+    const EstimatedValue& value = value_of(id.estimate, name);
+    EXPECT_FALSE(value.doubtful) << name;
+    EXPECT_LT(std::abs(*value.value - truth), 4 * value.sd) << name;
+  }
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ TEST(DelayedChannels, UnusableRowsMoveWithTheirChannel) {
 TEST(DelayedChannels, OfARowTurnItsPhases) {
   LineRow row;
   row.frequency_hz = 20;
-  row.lines = {{0, {}, 1.0, {}}, {1, {}, std::polar(2.0, -2 * std::numbers::pi * 20 * 0.002), {}},
+  row.lines = {{0, {}, 1.0, {}},
+               {1, {}, std::polar(2.0, -2 * std::numbers::pi * 20 * 0.002), {}},
                {1, {2, 1}, std::polar(1.0, -2 * std::numbers::pi * 40 * 0.002), {}}};
   const LineRow moved = without_delays(late_campaign(0.002), row);
   EXPECT_NEAR(std::arg(moved.lines[1].amplitude), 0, 1e-12);
@@ -115,8 +116,8 @@ TEST(DelayedChannels, AreWrittenAndRead) {
   file << "t,base,tip\n";
   const Record record = late_record(0.002, 800);
   for (std::size_t i = 0; i < 800; ++i)
-    file << 3 + static_cast<double>(i) / delayed_rate << ',' << record.channels[0][i] << ',' << record.channels[1][i]
-         << '\n';
+    file << 3 + static_cast<double>(i) / delayed_rate << ',' << record.channels[0][i] << ','
+         << record.channels[1][i] << '\n';
   file.close();
   const Campaign read = read_campaign(campaign.folder);
   EXPECT_EQ(read.channels[1].delay_s, 0.002);
