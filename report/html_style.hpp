@@ -54,11 +54,13 @@ td:not(.number):not(.short):not(.name) { min-width: 24ch; max-width: 60ch; }
 }
 @media screen and (max-width: 640px) {
   table.stacked, .stacked caption, .stacked tbody, .stacked tr, .stacked td { display: block; }
-  .stacked thead { position: absolute; clip-path: inset(50%); }
+  .stacked thead { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+  td:not(.number):not(.short):not(.name) { min-width: 12ch; }
   .stacked tr { border-bottom: 1.5px solid var(--rule); padding: 6px 0; }
-  .stacked td[data-label] { display: flex; justify-content: space-between; gap: 14px; text-align: right; border: 0;
-    padding: 2px 0; min-width: 0; max-width: none; white-space: normal; }
-  .stacked td[data-label]::before { content: attr(data-label); color: var(--soft); text-align: left; flex: 0 0 40%; }
+  .stacked td[data-label] { display: flow-root; text-align: right; border: 0; padding: 2px 0; min-width: 0; max-width: none;
+    white-space: normal; }
+  .stacked td[data-label]::before { content: attr(data-label); color: var(--soft); float: left; text-align: left;
+    max-width: 40%; margin-right: 14px; }
   .stacked td:empty { display: none; }
 }
 tr.good td:first-child { color: var(--good); } tr.caution td:first-child { color: var(--caution); }

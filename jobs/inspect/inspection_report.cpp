@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "jobs/inspect/proposed_import.hpp"
 #include "jobs/shared/disturbance_output.hpp"
+#include "measure/data/names.hpp"
 #include "report/html_report.hpp"
 #include "report/number_format.hpp"
 
@@ -152,11 +154,52 @@ std::string usable_sentence(const InspectedCampaign& inspected) {
 
 namespace {
 
+void add_experiment(report::HtmlReport& page, const SimulatedFrom& simulated, const Campaign& campaign) {
+  page.section("What was simulated");
+  Table table;
+  table.columns = {{"Channel", Column::Kind::text, ""},
+                   {"Role", Column::Kind::text, ""},
+                   {"Quantity", Column::Kind::text, ""},
+                   {"Unit", Column::Kind::text, ""}};
+  for (const Channel& channel : campaign.channels)
+    table.rows.push_back(
+        {channel.name, to_string(channel.role), to_string(channel.quantity), report::pretty_unit(channel.unit)});
+  page.table(table);
+  page.paragraph(
+      fmt::format("At {:.6g} Hz, with the measurement noise of seed {}. The experiment, {}, as its file has it: "
+                  "numbers of the model in "
+                  "SI units and radians, amplitudes of excitations and noise in the units of their channels.",
+                  campaign.sample_rate_hz, simulated.seed, simulated.experiment));
+  page.preformatted(simulated.text);
+}
+
+// "16 dwells, 3 free decays, 304 s in all"
+std::string kinds_of(const InspectedCampaign& inspected) {
+  std::map<std::string, std::size_t> kinds;
+  double seconds = 0;
+  for (std::size_t r = 0; r < inspected.records.size(); ++r) {
+    std::string kind = to_string(inspected.campaign.records[r].kind);
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    ++kinds[kind];
+    const RecordInspection& record = inspected.records[r];
+    if (record.axis) seconds += recorded_s(*record.axis, record.samples);
+  }
+  std::string text;
+  for (const auto& [kind, count] : kinds)
+    text += (text.empty() ? "" : ", ") +
+            (kind == "broadband" ? plural(count, "broadband record") : plural(count, kind.c_str()));
+  return fmt::format("{}, {} s in all", text, report::format_number(seconds, 4));
+}
+
 std::string campaign_report(const InspectedCampaign& inspected, const std::string& source,
-                            const std::string& command) {
-  report::HtmlReport page("Inspection", fmt::format("campaign {}", inspected.campaign.name));
+                            const std::string& command, const SimulatedFrom* simulated) {
+  report::HtmlReport page(simulated ? "Simulation" : "Inspection",
+                          fmt::format("campaign {}", inspected.campaign.name));
   std::string sentence = usable_sentence(inspected);
   sentence.front() = 'U';
+  if (simulated)
+    sentence = fmt::format("A virtual test on the full equations of motion of {}: {}. {}", simulated->model,
+                           kinds_of(inspected), sentence);
   std::size_t usable = 0;
   for (std::size_t r = 0; r < inspected.records.size(); ++r)
     if (record_obstacle(inspected, r).empty()) ++usable;
@@ -169,6 +212,7 @@ std::string campaign_report(const InspectedCampaign& inspected, const std::strin
   for (const Disturbance& d : inspected.disturbances) disturbed.insert(d.record);
   page.card({"Records with disturbances", fmt::format("{} of {}", disturbed.size(), inspected.records.size()),
              "identify and diagnose look for the same", disturbed.empty() ? Tone::good : Tone::caution});
+  if (simulated) add_experiment(page, *simulated, inspected.campaign);
   add_faults(page, faults);
   if (!inspected.disturbances.empty()) {
     page.section("Beside the motion");
@@ -248,9 +292,11 @@ std::vector<report::NamedFigure> inspection_figures(const Inspection& inspected)
   return figures;
 }
 
-std::string inspection_report(const Inspection& inspected, const std::string& command) {
-  return inspected.campaign ? campaign_report(*inspected.campaign, "campaign: " + inspected.path, command)
-                            : file_report(*inspected.file, inspected.path, command);
+std::string inspection_report(const Inspection& inspected, const std::string& command,
+                              const SimulatedFrom* simulated) {
+  return inspected.campaign
+             ? campaign_report(*inspected.campaign, "campaign: " + inspected.path, command, simulated)
+             : file_report(*inspected.file, inspected.path, command);
 }
 
 }  // namespace secular

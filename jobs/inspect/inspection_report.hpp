@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,16 @@ std::string usable_sentence(const InspectedCampaign& inspected);
 /// history_N and spectrum_N of record N (from 1) of an inspection with pictures.
 std::vector<report::NamedFigure> inspection_figures(const Inspection& inspected);
 
-/// report.html of an inspection with pictures, with `command` at its foot.
-std::string inspection_report(const Inspection& inspected, const std::string& command);
+/// What the records of a campaign were simulated from.
+struct SimulatedFrom {
+  std::string model, experiment;  ///< names
+  std::string text;               ///< of the experiment file
+  std::uint64_t seed = 0;         ///< of the measurement noise
+};
+
+/// report.html of an inspection with pictures, with `command` at its foot. `simulated`: of a campaign that
+/// `simulate` has made; the report says first what it made it from.
+std::string inspection_report(const Inspection& inspected, const std::string& command,
+                              const SimulatedFrom* simulated = nullptr);
 
 }  // namespace secular

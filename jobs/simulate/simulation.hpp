@@ -19,6 +19,12 @@ struct SimulationRequest {
   std::function<void(std::size_t done, std::size_t total)> progress = {};  ///< records
 };
 
+/// Name of the model and text of an experiment as requests name it. Throws InputError.
+struct ExperimentText {
+  std::string model, text;
+};
+ExperimentText experiment_text(const std::string& experiment);
+
 /// The job `simulate`: a virtual test on the full equations of motion. `sink` gets every record once it is
 /// computed, from any thread; what is returned has no samples. Throws InputError.
 Campaign simulate(const SimulationRequest& request, const RecordSink& sink);

@@ -53,10 +53,10 @@ TEST_F(PredictionBands, LimitCyclesHaveErrorBarsAndAreMarked) {
   write("estimate.json", estimate.dump());
   const testing_support::Outcome outcome = predicted("model.toml --parameters estimate.json");
   EXPECT_NE(outcome.output.find("limit cycle, stable: amplitude 2.000(20)"), std::string::npos) << outcome.output;
-  const json cycle = result().at("backbones").at(0).at("limit_cycles").at(0);
+  const json backbone = result().at("backbones").at(0), cycle = backbone.at("limit_cycles").at(0);
   EXPECT_NEAR(cycle.at("amplitude_sd").get<double>(), 0.02, 1e-5);  // a = 2/sqrt(p)
   EXPECT_NEAR(cycle.at("frequency_sd").get<double>(), 0.01, 1e-5);
-  const json& points = result().at("backbones").at(0).at("points");
+  const json& points = backbone.at("points");
   EXPECT_GT(points.back().at("amplitude").get<double>(), 2);  // the backbone goes beyond its cycle
   EXPECT_NEAR(points.front().at("growth_sd").get<double>(), 0.02, 1e-4);
   const std::string report = read("out/report.html");

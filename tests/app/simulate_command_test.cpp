@@ -102,6 +102,22 @@ TEST_F(SimulateCommand, LengthsThatNobodyMeantAreRefused) {
       contains(refusal([&] { loaded("[[free_decay]]\nduration_s = 1e-6\n", "0.25"); }), "fewer than two samples"));
 }
 
+// What was simulated, the records drawn, units; and not inside of the campaign, which holds what was measured
+// alone.
+TEST_F(SimulateCommand, AReportSaysWhatWasSimulated) {
+  write("pair.toml", simulated_model_text);
+  write("experiment.toml", simulated_experiment_text("", "0.25"));
+  ASSERT_EQ(run("simulate experiment.toml -o made --report made.html --seed 7"), 0);
+  const std::string page = read("made.html");
+  for (const char* const text :
+       {"A virtual test on the full equations of motion of pair.toml: 2 dwells, 1 free decay, ",
+        "with the measurement noise of seed 7", "mass_normalised_shapes = [[1.0, -0.5], [0.6, 1.2]]", "<svg",
+        "records/0003.csv", "m/s\u00b2"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_EQ(run("simulate experiment.toml -o other --report other/report.html"), 2);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "other"));
+}
+
 std::string effect(const std::string& name, const std::string& keys) {
   return "[[effect]]\nname = \"" + name + "\"\n" + keys + "\n";
 }

@@ -114,7 +114,7 @@ const FolderTable& folder_table() {
        {"input", "numerics", "report", "estimator/model", "measure/data", "measure/signal", "measure/observe",
         "estimator/identification", "motion/simulate", "motion/correction", "thesis/procedures", "jobs/shared",
         "jobs/identify", "app/shared"}},
-      {"app/simulate", {"jobs/simulate", "app/shared"}},
+      {"app/simulate", {"input", "measure/data", "jobs/simulate", "jobs/inspect", "app/shared"}},
       {"app/spectrum", {"jobs/spectrum", "app/shared"}},
       {"app/to_matlab", {"input", "report", "jobs/matlab", "app/shared"}},
       {"app/verify", {"perturb", "thesis/verify", "jobs/shared", "app/shared"}},
