@@ -126,7 +126,8 @@ def _checked_channels(channels) -> list[Channel]:
     checked = list(channels)
     for number, channel in enumerate(checked, 1):
         for key, value in vars(channel).items():
-            _checks.text(f"channel {number}, {key}", value)
+            check = _checks.optional_real if key == "delay_s" else _checks.text
+            check(f"channel {number}, {key}", value)
     return checked
 
 

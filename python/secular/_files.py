@@ -175,9 +175,8 @@ def _channel_text(channel: Union[Channel, str]) -> str:
     if not isinstance(channel, Channel):
         return _checks.text("channels", channel)
     for key, value in vars(channel).items():
-        if key != "delay_s":
-            _checks.text(f"channels, {key}", value)
-    _checks.optional_real("channels, delay_s", channel.delay_s)
+        check = _checks.optional_real if key == "delay_s" else _checks.text
+        check(f"channels, {key}", value)
     _checks.one_of("channels, frame", channel.frame, "relative", "absolute")
     if channel.frame == "absolute" and (channel.role, channel.quantity) != ("response", "acceleration"):
         raise _checks.refused("channels, frame", f"is 'absolute' for {channel.name}",
