@@ -169,7 +169,7 @@ class Moments {
  private:
   MatrixXd shifts_of(const MatrixXd& differences, double variance) const {
     return variance * sums_.shown *
-           (contrasts_ * VectorXd(MatrixXd(noise_ + variance * between_).ldlt().solve(differences)));
+           (contrasts_ * MatrixXd(MatrixXd(noise_ + variance * between_).ldlt().solve(differences)));
   }
 
   const RecordSums& sums_;
