@@ -163,14 +163,19 @@ void judge_sensor(const std::vector<ObservationSet>& observed, const EstimateTas
       sensor->resonance->name, 100 * std::abs(sensor->third), 300 * std::abs(sensor->third), allowed));
 }
 
+// Says what came of one of several faults, once.
+void add_clause(std::string& all, const std::string& one) {
+  if (all.find(one) == std::string::npos) all += (all.empty() ? "" : "; ") + one;
+}
+
 // What is taken off, and how large it is, in words.
 std::pair<std::string, std::string> words_of(const SizedFault& fault) {
   const double percent = 100 * std::abs(fault.size);
   switch (fault.kind) {
     case ChainFault::even_law:
       return {"the even part of a sensor's law",
-              fmt::format("an even part of a sensor's law, {:.2g} % of second harmonic at the largest motion",
-                          percent)};
+              fmt::format("an even part of a sensor's law, {:.2g} % of second harmonic at the largest motion{}",
+                          percent, fault.shows_mean ? ", which means show" : "")};
     case ChainFault::cubic_law:
       return {
           "the cubic part of a sensor's law",
@@ -191,9 +196,11 @@ void judge_decays(const std::vector<FoundFault>& faults, const std::vector<Obser
   for (const FoundFault& one : faults) {
     const auto [part, words] = words_of(one.fault);
     made_by += (made_by.empty() ? "" : ", or ") + words;
-    allowed = allow_for(
-        id.estimate, part,
-        [&] { return estimate_with_phases(without_fault(observed, one.fault), task).of.estimate; }, one.counts);
+    add_clause(allowed,
+               allow_for(
+                   id.estimate, part,
+                   [&] { return estimate_with_phases(without_fault(observed, one.fault), task).of.estimate; },
+                   one.counts));
   }
   if (!faults.empty())
     id.estimate.warnings.push_back(
@@ -209,10 +216,11 @@ void judge_step(const std::optional<GainStep>& step, const std::vector<Observati
   if (!step) return;
   std::string allowed;
   for (const RightGain right : {RightGain::before, RightGain::behind})
-    allowed = allow_for(
-        id.estimate, "a step of the sensitivity",
-        [&] { return estimate_with_phases(with_one_gain(observed, *step, right), task).of.estimate; },
-        step->counts);
+    add_clause(allowed,
+               allow_for(
+                   id.estimate, "a step of the sensitivity",
+                   [&] { return estimate_with_phases(with_one_gain(observed, *step, right), task).of.estimate; },
+                   step->counts));
   id.estimate.warnings.push_back(fmt::format(
       "{}: the amplitude steps by {:.2g} % at {:.4g} s and the phase does not, as where a sensitivity changes: {}. "
       "--to or --from leave one side of it",

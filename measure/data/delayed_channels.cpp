@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "input/input_error.hpp"
@@ -68,16 +69,23 @@ std::vector<std::size_t> unusable_after(const Record& record, double earliest, d
 
 Record without_delays(const Campaign& campaign, Record record, const std::string& file) {
   double earliest = 0, latest = 0;  // in samples
+  std::string later, earlier;       // the channels that are
   for (const Channel& channel : campaign.channels) {
-    earliest = std::min(earliest, channel.delay_s * record.sample_rate_hz);
-    latest = std::max(latest, channel.delay_s * record.sample_rate_hz);
+    const double late = channel.delay_s * record.sample_rate_hz;
+    if (late < earliest) earlier = channel.name;
+    if (late > latest) later = channel.name;
+    earliest = std::min(earliest, late);
+    latest = std::max(latest, late);
   }
   if (earliest == 0 && latest == 0) return record;
   const std::size_t all = record.samples();
   const double cut = std::ceil(-earliest) + std::ceil(latest);
   if (!(cut < 0.5 * static_cast<double>(all)))
-    throw InputError((campaign.folder / "campaign.toml").string(), "delay_s",
-                     fmt::format("is half of the record {} or more", file), "a delay in seconds was expected");
+    throw InputError((campaign.folder / "campaign.toml").string(),
+                     fmt::format("delay_s of {}", later.empty() || -earliest > latest ? earlier : later),
+                     fmt::format("leaves less than half of {}, which is {:.4g} s long", file,
+                                 static_cast<double>(all) / record.sample_rate_hz),
+                     "a delay in seconds was expected");
   const auto first = static_cast<std::size_t>(std::ceil(-earliest));
   const std::size_t count = all - static_cast<std::size_t>(cut);
   record.unusable = unusable_after(record, earliest, latest, first, count);

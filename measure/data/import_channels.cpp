@@ -182,6 +182,8 @@ void take_delay(const std::string& text, std::vector<DescribedChannel>& describe
   const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), delay);
   if (end.ec != std::errc() || end.ptr != digits.data() + digits.size() || !std::isfinite(delay))
     throw InputError("--delay " + text, "", "has no number of seconds", "NAME=S, for example tip=0.002");
+  if (found->channel.delay_s != 0)
+    throw InputError("--delay " + text, "", "is the second delay of this channel", "one for each channel");
   found->channel.delay_s = delay;
 }
 

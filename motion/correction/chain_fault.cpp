@@ -59,27 +59,100 @@ void take_poles_off_rates(const LowPass& filter, std::span<Observation> windows)
   }
 }
 
-// Of the one mode of a set, what a law of the sensor makes of its lines. docs/inference.md (61).
-void take_law_off(const SizedFault& fault, const CompiledCase& resonance, Observation& o) {
-  const int d = fault.derivatives;
-  const bool even = fault.kind == ChainFault::even_law;
-  const double k = fault.size / (even ? fault.largest : fault.largest * fault.largest);
-  const double own = o.rate.front().imag();
-  const Complex motion = o.amplitude.front() * derived(own, d);
-  const double square = std::norm(motion);
-  for (std::size_t b = 0; b < o.harmonic.size(); ++b) {
-    const RegressorBlock& block = resonance.blocks[b];
-    if (!(o.harmonic_sd[b] >= 0)) continue;
-    if (even && d == 0 && is_zero_frequency(block)) o.harmonic[b] -= 2 * k * square;
-    const int order = even ? 2 : 3;
-    const double f = block_frequency(block, o);
-    if (std::abs(std::abs(f) / own - order) > same_line) continue;
-    const Complex line = k * std::pow(motion, order) / derived(order * own, d);
-    o.harmonic[b] -= f < 0 ? std::conj(line) : line;
+// Displacements alone have a mean that moves: by how much it grows with the square of the amplitude in a decay's
+// windows, less `of_law` of that square.
+double growth_of_mean(std::span<const Observation> windows, std::size_t block, double of_law) {
+  const auto count = static_cast<Eigen::Index>(windows.size());
+  Eigen::MatrixXd matrix(count, 2);
+  Eigen::VectorXd target(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Observation& o = windows[static_cast<std::size_t>(i)];
+    if (!(o.harmonic_sd[block] >= 0)) return 0;
+    matrix.row(i) << 1, std::norm(o.amplitude.front());
+    target(i) = o.harmonic[block].real();
   }
-  if (even && !o.mean.empty()) o.mean.front() -= 2 * k * square;
-  if (!even) o.amplitude.front() *= 1 - 3 * k * square;
+  return matrix.colPivHouseholderQr().solve(target)(1) - of_law;
 }
+
+// Takes a factor 1 + g off the motion, where g is as the square of the amplitude: rates see that as well.
+void take_factor_off(Complex g, Observation& o) {
+  o.amplitude.front() *= 1.0 - g;
+  o.rate.front() -= 2 * o.rate.front().real() * g;
+}
+
+// What a law of the sensor makes of the lines of the one mode of a set. docs/inference.md (61).
+class SensorLaw {
+ public:
+  SensorLaw(const SizedFault& fault, const CompiledCase& resonance)
+      : fault_(fault),
+        resonance_(resonance),
+        even_(fault.kind == ChainFault::even_law),
+        k_(fault.size / (even_ ? fault.largest : fault.largest * fault.largest)) {}
+
+  void take_off(std::span<Observation> windows) const {
+    const double mean = growth_of_means(windows);
+    for (Observation& o : windows) even_ ? take_even_off(o, mean) : take_cubic_off(o);
+  }
+
+ private:
+  Complex motion_of(const Observation& o) const {
+    return o.amplitude.front() * derived(o.rate.front().imag(), fault_.derivatives);
+  }
+
+  double growth_of_means(std::span<const Observation> windows) const {
+    for (std::size_t b = 0; even_ && fault_.derivatives == 0 && b < resonance_.blocks.size(); ++b)
+      if (is_zero_frequency(resonance_.blocks[b])) return growth_of_mean(windows, b, 2 * k_);
+    return 0;
+  }
+
+  // `line`: in the channels' quantity, at a multiple of the motion's frequency, off that line where it was
+  // measured.
+  void take_off_line(Observation& o, int multiple, Complex line) const {
+    const double own = o.rate.front().imag();
+    line /= derived(multiple * own, fault_.derivatives);
+    for (std::size_t b = 0; b < o.harmonic.size(); ++b) {
+      const double f = block_frequency(resonance_.blocks[b], o);
+      if (o.harmonic_sd[b] >= 0 && std::abs(std::abs(f) / own - multiple) < same_line)
+        o.harmonic[b] -= f < 0 ? std::conj(line) : line;
+    }
+  }
+
+  // In the channels' quantity; zero where it was not measured.
+  Complex second_harmonic(const Observation& o) const {
+    const double own = o.rate.front().imag();
+    for (std::size_t b = 0; b < o.harmonic.size(); ++b) {
+      const double f = block_frequency(resonance_.blocks[b], o);
+      if (o.harmonic_sd[b] >= 0 && std::abs(std::abs(f) / own - 2) < same_line)
+        return (f < 0 ? std::conj(o.harmonic[b]) : o.harmonic[b]) * derived(2 * own, fault_.derivatives);
+    }
+    return 0;
+  }
+
+  void take_even_off(Observation& o, double growth_of_mean) const {
+    const Complex motion = motion_of(o);
+    const double square = std::norm(motion);
+    if (!(square > 0)) return;
+    for (std::size_t b = 0; fault_.derivatives == 0 && b < o.harmonic.size(); ++b)
+      if (o.harmonic_sd[b] >= 0 && is_zero_frequency(resonance_.blocks[b])) o.harmonic[b] -= 2 * k_ * square;
+    take_off_line(o, 2, k_ * motion * motion);
+    const Complex second = second_harmonic(o);
+    if (fault_.shows_mean && !o.mean.empty())
+      o.mean.front() -= 2 * k_ * (mean_square(o, fault_.derivatives) + std::norm(second));
+    take_off_line(o, 3, 2 * k_ * motion * second);
+    take_factor_off(2 * k_ * (growth_of_mean * square + std::conj(motion) * second / motion), o);
+  }
+
+  void take_cubic_off(Observation& o) const {
+    const Complex motion = motion_of(o);
+    take_off_line(o, 3, k_ * motion * motion * motion);
+    take_factor_off(3 * k_ * std::norm(motion), o);
+  }
+
+  const SizedFault& fault_;
+  const CompiledCase& resonance_;
+  bool even_;
+  double k_;
+};
 
 }  // namespace
 
@@ -89,6 +162,13 @@ double SizedFault::time_constant() const {
 
 double SizedFault::amplitude() const {
   return std::pow(1 + size / poles, -0.5 * poles);
+}
+
+double mean_square(const Observation& window, int derivatives) {
+  const std::complex<double> rate = window.rate.front();
+  const double fall = rate.real() * window.length_s;  // |A|^2 is as exp(2 fall t/T), from t = -T/2 to T/2
+  return std::norm(window.amplitude.front() * derived(rate.imag(), derivatives)) *
+         (std::abs(fall) > 1e-4 ? std::sinh(fall) / fall : 1);
 }
 
 int multiple_of(const RegressorBlock& block) {
@@ -117,8 +197,11 @@ std::vector<ObservationSet> without_fault(std::span<const ObservationSet> sets, 
     return before;
   }
   std::vector<ObservationSet> result(sets.begin(), sets.end());
-  for (ObservationSet& set : result)
-    for (Observation& o : set.observations) take_law_off(fault, *set.resonance, o);
+  for (ObservationSet& set : result) {
+    const SensorLaw law(fault, *set.resonance);
+    for (const RecordRange& range : ranges_of_records(set.observations))
+      law.take_off(std::span(set.observations).subspan(range.begin, range.end - range.begin));
+  }
   return result;
 }
 

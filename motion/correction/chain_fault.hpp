@@ -24,6 +24,8 @@ struct SizedFault {
   double frequency = 0;  ///< w, rad/s
   double largest = 0;    ///< half amplitude of the largest motion, as the channels show it
   int derivatives = 0;   ///< ModalProjection::derivatives
+  /// even_law: its mean is seen, too. False: the chain passes nothing at zero frequency, or nothing is known of it.
+  bool shows_mean = false;
 
   double amplitude() const;      ///< low_pass: what is left of an amplitude at `frequency`
   double time_constant() const;  ///< low_pass: of each pole, s
@@ -32,6 +34,10 @@ struct SizedFault {
 /// The observations without what the fault does, docs/inference.md (61): amplitudes, harmonics up to the third and
 /// means. Laws take off dwells, too; poles only decays, and dwells whose phases are unknown.
 std::vector<ObservationSet> without_fault(std::span<const ObservationSet> sets, const SizedFault& fault);
+
+/// Over a decay's window, the mean square of half the amplitude of its first mode, as the channels show it
+/// (`derivatives` of it): what the mean of an even law grows with.
+double mean_square(const Observation& window, int derivatives);
 
 /// How many times the own frequency of the one mode that takes part the line of a harmonic turns; 0: at zero
 /// frequency, or several modes take part.

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "estimator/identification/predicted_harmonics.hpp"
-#include "estimator/model/zero_frequency.hpp"
 #include "estimator/thresholds.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/observe/common_observations.hpp"
@@ -28,14 +27,19 @@ using Eigen::VectorXd;
 constexpr int highest_multiple = 3;
 /// Of a mean in a record: a constant and a drift.
 constexpr Index unknowns_of_mean = 2;
+/// Of a mean: the square of the amplitude, and what its harmonics make of the fourth power.
+constexpr Index terms_of_even_law = 2;
 /// The first size that is tried of a fault, and the most that are.
 constexpr double first_size = 0.01;
 constexpr int most_sizes = 9;
 /// Sizes that differ by less than this share are the same: what they move is allowed for to no more digits.
 constexpr double same_size = 0.02;
 constexpr int numbers_of_poles[] = {1, 4, 16, 64};
-/// Kinds of faults.
-constexpr double kinds = 3;
+/// Kinds of faults: poles, a cubic law, an even law of which means show their part or do not.
+constexpr double kinds = 4;
+/// Probabilities that means without anything else leave more: above the first they count in full, below the second
+/// not at all.
+constexpr double means_hold = 0.05;
 
 // A line of a window, or its mean (`block` none).
 struct Line {
@@ -45,7 +49,7 @@ struct Line {
   int multiple = 0;
   double sd = 0;
   double overlap = 1;  // see overlap_of
-  Complex replayed{};  // in the frame of the motion, at the measured amplitude
+  Complex replayed{};  // in the frame of the motion, at the measured amplitude; of a mean nothing
 };
 
 Complex to_frame(Complex line, Complex amplitude, int multiple) {
@@ -88,9 +92,10 @@ class DecayLines {
 
   bool empty() const { return lines_.empty(); }
   bool one_channel() const { return one_channel_; }
+  bool with_means() const { return !means_.empty(); }
   double freedom() const { return independent_ - static_cast<double>(offsets_ + 1); }
   SizedFault fault(ChainFault kind, int poles) const {
-    return {kind, poles, 0, frequency_, largest_, derivatives_};
+    return {kind, poles, 0, frequency_, largest_, derivatives_, false};
   }
 
   // What is left of the rows beside what is not known, where a fault is taken off and everything is estimated once
@@ -103,7 +108,8 @@ class DecayLines {
     for (const Line& line : lines_) {
       const Observation &is = sets[line.set].observations[line.observation],
                         &was = sets_[line.set].observations[line.observation];
-      const Complex predicted = line.replayed + prediction(line, there, is) - prediction(line, here_, was);
+      const Complex predicted =
+          line.block ? line.replayed + prediction(line, there, is) - prediction(line, here_, was) : 0;
       const double sd = line.block ? is.harmonic_sd[*line.block] : line.sd;
       put((measured(line, is) - predicted) / (sd * std::sqrt(line.overlap)), line, rows, at);
     }
@@ -115,7 +121,7 @@ class DecayLines {
     const ObservationSet& set = sets_[s];
     for_common_observations(set, replayed, [&](std::size_t i, std::size_t r) {
       for (std::size_t b = 0; b < set.resonance->blocks.size(); ++b) add_block(s, i, b, replayed.observations[r]);
-      if (one_channel_) add_mean(s, i, replayed.observations[r]);
+      if (one_channel_ && derivatives_ > 0) add_mean(s, i);
     });
   }
 
@@ -137,15 +143,55 @@ class DecayLines {
     largest_ = std::max(largest_, std::abs(o.amplitude[mode] * derived(o.rate[mode].imag(), derivatives_)));
   }
 
-  void add_mean(std::size_t s, std::size_t i, const Observation& replayed) {
+  // Of a velocity or an acceleration, whose motion has none.
+  void add_mean(std::size_t s, std::size_t i) {
     const Observation& o = sets_[s].observations[i];
-    if (o.mean.empty() || replayed.mean.empty() || !(o.mean_sd.front() > 0) || o.growth_sd.front() < 0) return;
-    const double by = std::norm(o.amplitude.front()) / std::norm(replayed.amplitude.front());
-    if (!std::isfinite(by)) return;
+    if (o.mean.empty() || !(o.mean_sd.front() > 0) || o.growth_sd.front() < 0) return;
     // A mean takes all samples of its window alike: two lengths of a stretch hold two of them.
-    const double overlap = 0.5 * windows_of_stretch(o);
-    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), overlap, by * replayed.mean.front()});
-    independent_ += 1 / overlap;
+    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), 0.5 * windows_of_stretch(o), {}});
+  }
+
+  // Square roots of the weights of means, by what a zero, its drift and an even law leave of them: none where zeros
+  // wander otherwise.
+  void weigh_means() {
+    const auto rows = static_cast<Index>(means_.size());
+    constexpr Index of_a_record = unknowns_of_mean + terms_of_even_law;
+    const Index unknowns = of_a_record * static_cast<Index>(records_.size());
+    MatrixXd columns = MatrixXd::Zero(rows, unknowns);
+    VectorXd target(rows);
+    double independent = 0;
+    for (Index i = 0; i < rows; ++i) {
+      const Line& mean = means_[static_cast<std::size_t>(i)];
+      const Observation& o = observation_of(mean);
+      const double by = mean.sd * std::sqrt(mean.overlap);
+      const Index first = of_a_record * records_.at(o.record);
+      columns(i, first) = 1 / by;
+      columns(i, first + 1) = o.centre_s / by;
+      const double square = mean_square(o, derivatives_);
+      for (Index term = 0; term < terms_of_even_law; ++term)
+        columns(i, first + unknowns_of_mean + term) = std::pow(square, 1 + term) / by;
+      target(i) = o.mean.front() / by;
+      independent += 1 / mean.overlap;
+    }
+    columns.colwise().normalize();
+    const double freedom = independent - static_cast<double>(unknowns);
+    double weight = 0;
+    if (freedom >= 1) {
+      const double left = (target - columns * VectorXd(columns.colPivHouseholderQr().solve(target))).squaredNorm();
+      const double most = chi_squared_upper_quantile(estimator_thresholds().contradiction_alarm, freedom),
+                   usual = chi_squared_upper_quantile(means_hold, freedom);
+      weight = std::clamp((most - left) / (most - usual), 0.0, 1.0);
+    }
+    if (weight == 0) means_.clear();
+    if (means_.empty()) offsets_ = 0;
+    for (Line& mean : means_) {
+      mean.overlap /= weight;
+      independent_ += 1 / mean.overlap;
+    }
+  }
+
+  const Observation& observation_of(const Line& line) const {
+    return sets_[line.set].observations[line.observation];
   }
 
   static Complex measured(const Line& line, const Observation& o) {
@@ -157,10 +203,7 @@ class DecayLines {
   Complex prediction(const Line& line, const VectorXd& parameters, const Observation& o) const {
     const ObservationSet& set = sets_[line.set];
     const std::vector<Complex> all = predicted_harmonics(*set.model, *set.resonance, parameters, o);
-    if (line.block) return to_frame(all[*line.block], o.amplitude[line.mode], line.multiple);
-    for (std::size_t b = 0; derivatives_ == 0 && b < all.size(); ++b)
-      if (is_zero_frequency(set.resonance->blocks[b])) return all[b].real();
-    return 0;
+    return to_frame(all[*line.block], o.amplitude[line.mode], line.multiple);
   }
 
   static void put(Complex value, const Line& line, VectorXd& rows, Index& at) {
@@ -177,25 +220,26 @@ class DecayLines {
   // Steps of the estimate, each as likely as a standard normal number, and what means have of their own in each
   // record.
   void see_unknowns() {
-    std::move(means_.begin(), means_.end(), std::back_inserter(lines_));
+    for (const Line& mean : means_)
+      records_.try_emplace(observation_of(mean).record, static_cast<Index>(records_.size()));
+    offsets_ = unknowns_of_mean * static_cast<Index>(records_.size());
+    weigh_means();
+    lines_.insert(lines_.end(), means_.begin(), means_.end());
     rows_ += static_cast<Index>(means_.size());
     std::vector<VectorXd> steps;
     for (const MatrixXd* of : {&estimate_.noise, &estimate_.open})
       for (const auto& step : of->colwise()) steps.emplace_back(step);
-    std::map<std::size_t, Index> records;
-    for (const Line& mean : means_)
-      records.try_emplace(sets_[mean.set].observations[mean.observation].record,
-                          static_cast<Index>(records.size()));
-    offsets_ = unknowns_of_mean * static_cast<Index>(records.size());
     const auto count = static_cast<Index>(steps.size());
     MatrixXd columns = MatrixXd::Zero(rows_ + count, count + offsets_);
     for (Index d = 0; d < count; ++d) {
       VectorXd column = VectorXd::Zero(rows_ + count);
       Index at = 0;
       for (const Line& line : lines_) {
-        const Observation& o = sets_[line.set].observations[line.observation];
-        put((prediction(line, here_ + steps[static_cast<std::size_t>(d)], o) - prediction(line, here_, o)) /
-                (line.sd * std::sqrt(line.overlap)),
+        const Observation& o = observation_of(line);
+        const VectorXd moved = here_ + steps[static_cast<std::size_t>(d)];
+        put(line.block
+                ? (prediction(line, moved, o) - prediction(line, here_, o)) / (line.sd * std::sqrt(line.overlap))
+                : Complex(),
             line, column, at);
       }
       column(rows_ + d) = 1;
@@ -204,8 +248,8 @@ class DecayLines {
     Index at = 0;
     for (const Line& line : lines_) {
       if (!line.block) {
-        const Observation& o = sets_[line.set].observations[line.observation];
-        const Index first = count + unknowns_of_mean * records.at(o.record);
+        const Observation& o = observation_of(line);
+        const Index first = count + unknowns_of_mean * records_.at(o.record);
         columns(at, first) = 1 / line.sd;  // means have one factor for all of them
         columns(at, first + 1) = o.centre_s / line.sd;
       }
@@ -224,6 +268,7 @@ class DecayLines {
   double frequency_ = 0, largest_ = 0;
   VectorXd here_;
   MatrixXd orthonormal_;
+  std::map<std::size_t, Index> records_;  // of those with means, one after the other
   Index rows_ = 0, offsets_ = 0;
   double independent_ = 0;  // of the rows
 };
@@ -281,15 +326,20 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
   const double least_gain =
       f_upper_quantile(estimator_thresholds().contradiction_alarm / kinds, 1, lines.freedom());
   std::vector<Explained> explained;
-  const auto search = [&](ChainFault kind, int poles) {
-    auto one = best_size(lines, lines.fault(kind, poles), without, least_gain);
+  const auto search = [&](const SizedFault& fault) {
+    auto one = best_size(lines, fault, without, least_gain);
     if (one) explained.push_back(*one);
     return one.has_value();
   };
   for (const int poles : numbers_of_poles)
-    if (!search(ChainFault::low_pass, poles)) break;
-  for (const ChainFault law : {ChainFault::even_law, ChainFault::cubic_law})
-    if (lines.one_channel()) search(law, 1);
+    if (!search(lines.fault(ChainFault::low_pass, poles))) break;
+  if (lines.one_channel()) {
+    search(lines.fault(ChainFault::cubic_law, 1));
+    SizedFault even = lines.fault(ChainFault::even_law, 1);
+    search(even);
+    even.shows_mean = true;
+    if (lines.with_means()) search(even);
+  }
   if (explained.empty()) return {};
   const double least = std::min_element(explained.begin(), explained.end(), [](const auto& a, const auto& b) {
                          return a.chi_squared < b.chi_squared;

@@ -96,7 +96,6 @@ void take_motion(const Observation& exact, Observation& to) {
   to.amplitude = exact.amplitude;
   to.rate = exact.rate;
   to.harmonic = exact.harmonic;
-  to.mean = exact.mean;
 }
 
 }  // namespace secular

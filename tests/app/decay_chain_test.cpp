@@ -98,6 +98,37 @@ TEST(DecayChain, EvenLawIsToldByMeans) {
   }
 }
 
+// A law y (1 + c y^2) falls with the square of the amplitude, which is a damping: 6 k |Y|^2 of the rate.
+TEST(DecayChain, CubicLawIsTakenOffDampingToo) {
+  const SimulatedCampaign made = lopsided_decays(11);
+  const double largest = testing_support::largest_response(made);
+  const Identification id = identified_by_chain(made, [&](std::vector<double>& y, std::size_t) {
+    for (double& sample : y) sample *= 1 + 0.03 * sample * sample / (largest * largest);
+  });
+  EXPECT_TRUE(warns(id.estimate.warnings, "a cubic part of a sensor's law"));
+  expect_truth_or_doubt(id);
+  const EstimatedValue& mu = value_of(id.estimate, "mu");
+  EXPECT_TRUE(mu.doubtful);
+  EXPECT_LT(std::abs(*mu.value - 1), 3 * mu.sd);
+  EXPECT_GT(mu.sd, 0.002);
+}
+
+// Zeros that wander, and couplings that pass no constant part, are no laws of a sensor.
+TEST(DecayChain, ZerosAreNoLawsOfASensor) {
+  const SimulatedCampaign made = lopsided_decays(11);
+  const double largest = testing_support::largest_response(made);
+  const std::function<double(double)> zeros[] = {[](double t) { return 0.005 * std::sin(0.6 * t); },
+                                                 [](double t) { return 0.01 * std::exp(-t / 1.5); }};
+  for (const auto& zero : zeros) {
+    const Identification id = identified_by_chain(made, [&](std::vector<double>& y, std::size_t) {
+      for (std::size_t i = 0; i < y.size(); ++i) y[i] += largest * zero(static_cast<double>(i) / rate_of_decay_hz);
+    });
+    EXPECT_FALSE(warns(id.estimate.warnings, "harmonics of the decays are not those"));
+    for (const char* name : {"omega0", "mu", "a2", "a3"})
+      EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
+  }
+}
+
 TEST(DecayChain, StepOfTheSensitivityIsSeen) {
   const Identification id =
       identified_by_chain(lopsided_decays(12), [](std::vector<double>& y, std::size_t record) {

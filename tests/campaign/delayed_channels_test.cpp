@@ -98,7 +98,7 @@ TEST(DelayedChannels, HalfARecordIsRefused) {
     FAIL();
   } catch (const InputError& error) {
     const std::string text = error.what();
-    for (const char* part : {"campaign.toml", "delay_s", "half of the record a.csv", "seconds"})
+    for (const char* part : {"campaign.toml", "delay_s", "less than half of a.csv", "seconds"})
       EXPECT_NE(text.find(part), std::string::npos) << text;
   }
 }
