@@ -132,6 +132,8 @@ void OutputFile::check(const std::vector<CommandInput>& inputs, bool force) cons
   if (path_.empty()) return;
   check_apart(path_, option_, inputs);
   std::error_code error;
+  if (const fs::path folder = fs::absolute(path_).parent_path(); !fs::is_directory(folder, error))
+    throw InputError(path_, option_, folder.string() + " is no folder", "make it first");
   if (!fs::exists(fs::symlink_status(path_, error))) return;
   if (!fs::is_regular_file(path_, error))
     throw InputError(path_, option_, "exists and is no regular file", "name a file");

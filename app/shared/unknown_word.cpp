@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace secular::app {
 namespace {
@@ -18,6 +19,11 @@ std::size_t distance(const std::string& a, const std::string& b) {
         d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   return d[a.size()][b.size()];
+}
+
+std::string lower_case(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word;
 }
 
 // The command that was chosen, and of its subcommands.
@@ -45,7 +51,7 @@ std::string unknown(const CLI::App& command, const std::string& kind, const std:
                     const std::vector<std::string>& known) {
   const std::optional<std::string> meant = nearest_word(word, known);
   return fmt::format("{} is no {} of `{}`; {}", word, kind, full_name(command),
-                     meant            ? "did you mean " + *meant + "?"
+                     meant           ? "did you mean " + *meant + "?"
                      : known.empty() ? "it has none"
                                      : "`" + full_name(command) + " --help` lists them");
 }
@@ -56,7 +62,7 @@ std::optional<std::string> nearest_word(const std::string& word, const std::vect
   std::optional<std::string> nearest;
   std::size_t least = word.size() / 3 + 1;
   for (const std::string& candidate : known)
-    if (const std::size_t d = distance(word, candidate); d < least) {
+    if (const std::size_t d = distance(lower_case(word), lower_case(candidate)); d < least) {
       least = d;
       nearest = candidate;
     }

@@ -15,7 +15,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](const std::string& given) -> std::string {
             if (std::find(words.begin(), words.end(), given) != words.end()) return {};
             const std::optional<std::string> meant = nearest_word(given, words);
-            return fmt::format("{} is none of {}{}", given, fmt::join(words, ", "),
+            return fmt::format("'{}' is none of {}{}", given, fmt::join(words, ", "),
                                meant ? "; did you mean " + *meant + "?" : "");
           },
           listed};

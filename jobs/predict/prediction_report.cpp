@@ -440,6 +440,19 @@ void add_limit_cycles(report::HtmlReport& page, const Prediction& prediction) {
   if (!table.rows.empty()) page.table(table);
 }
 
+// Of the largest amplitude, which is that at a fixed parameter where the curve is level. Beside a fold it is not,
+// and what is computed at the nearest point hangs on where that lies: nothing where neighbours tell another than to
+// the two digits that are printed.
+std::optional<double> sd_of_largest(const ResponseBranch& branch, std::size_t i, std::size_t mode) {
+  const std::optional<double> own = amplitude_sd(branch.points[i], mode);
+  for (const std::size_t beside : {i - 1, i + 1}) {
+    if (beside >= branch.points.size()) continue;
+    const std::optional<double> other = amplitude_sd(branch.points[beside], mode);
+    if (!own || !other || std::abs(*other - *own) > 0.1 * *own) return std::nullopt;
+  }
+  return own;
+}
+
 std::string verdict_of(const Prediction& prediction) {
   if (!prediction.backbones.empty()) {
     const auto& [name, points] = prediction.backbones.front();
@@ -469,14 +482,15 @@ std::string verdict_of(const Prediction& prediction) {
   std::size_t changes = 0;
   for (const ResponseBranch& branch : prediction.diagram.branches) {
     changes += branch.special.size();
-    for (const ResponsePoint& at : branch.points) {
+    for (std::size_t i = 0; i < branch.points.size(); ++i) {
+      const ResponsePoint& at = branch.points[i];
       const double amplitude = peak_amplitude(at.modes, mode);
       if (at.unstable > 0 || at.at_rest) continue;
       if (at.outside) least_beyond = std::min(least_beyond, amplitude);
       if (at.outside || amplitude <= largest) continue;
       largest = amplitude;
       where = at.parameter / prediction.axis;
-      largest_sd = amplitude_sd(at, mode);
+      largest_sd = sd_of_largest(branch, i, mode);
     }
   }
   const std::string name(prediction.model->coordinates[mode]);
@@ -500,9 +514,11 @@ std::string verdict_of(const Prediction& prediction) {
 namespace {
 
 std::string caption_of_band(const Prediction& prediction) {
-  return prediction.uncertain.empty() ? ""
-                                      : " Shaded: two standard deviations on both sides, by the error bars of the "
-                                        "parameters alone; a band thinner than the line is under it.";
+  return prediction.uncertain.empty()
+             ? ""
+             : " Shaded: two standard deviations on both sides, by the error bars of the "
+               "parameters alone; a band thinner than the line is under it, and none is drawn "
+               "where it would be wider than the curve's radius.";
 }
 
 // What each parameter is: a number with its error bar; a frequency that follows others by its relation.

@@ -46,7 +46,7 @@ std::vector<std::pair<Index, Index>> uncertain_places(const PredictionRequest& r
     const auto is_varied = [&](const auto& parameter) { return parameter && parameter->name == name; };
     const auto row = static_cast<Index>(i);
     if (found == prediction.names.end() || request.at.contains(name) || is_varied(prediction.vary) ||
-        is_varied(prediction.against) || !(covariance.matrix(row, row) > 0))
+        is_varied(prediction.against) || covariance.matrix(row, row) == 0)
       continue;
     places.emplace_back(found - prediction.names.begin(), row);
   }

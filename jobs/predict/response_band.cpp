@@ -31,6 +31,14 @@ bool lies_on(const Vector2d& point, const Stretch& drawn) {
   return false;
 }
 
+// Of the circle through three neighbours: 4 area = product of the sides / radius.
+double radius_of_bend(const Vector2d& before, const Vector2d& at, const Vector2d& after) {
+  const Vector2d b = before - at, a = after - at;
+  const double twice_area = std::abs(b.x() * a.y() - b.y() * a.x());
+  return twice_area > 0 ? b.norm() * a.norm() * (a - b).norm() / (2 * twice_area)
+                        : std::numeric_limits<double>::infinity();
+}
+
 // Collects stretches. A branch that passes through rest goes back along solutions that differ in phase alone: it
 // ends a stretch there, and what is drawn already is not drawn again.
 class Strips {
@@ -53,8 +61,7 @@ class Strips {
                          [&](const Stretch& drawn) { return lies_on(middle[i], drawn); });
     };
     const std::size_t last = middle.size();
-    if (last > 1 && !(is_drawn(last / 4) && is_drawn(last / 2) && is_drawn(3 * last / 4)))
-      done_.push_back(std::move(now_));
+    if (last > 1 && !(is_drawn(last / 4) && is_drawn(last / 2) && is_drawn(3 * last / 4))) split_at_bends();
     now_ = {};
     across_.setZero();
   }
@@ -62,6 +69,29 @@ class Strips {
   const std::vector<Stretch>& done() const { return done_; }
 
  private:
+  // A band is as far from its curve as the curve moves to first order, along the normal. Where that is more than
+  // the curve's radius, as at the tip of a response that leans over, the normals cross, and it says nothing.
+  void split_at_bends() {
+    const std::vector<Vector2d>& middle = now_.middle;
+    Stretch part;
+    const auto end_part = [&] {
+      if (part.middle.size() > 1) done_.push_back(std::move(part));
+      part = {};
+    };
+    for (std::size_t i = 0; i < middle.size(); ++i) {
+      const double radius = i > 0 && i + 1 < middle.size() ? radius_of_bend(middle[i - 1], middle[i], middle[i + 1])
+                                                           : std::numeric_limits<double>::infinity();
+      if ((now_.one[i] - middle[i]).norm() > radius) {
+        end_part();
+        continue;
+      }
+      part.middle.push_back(middle[i]);
+      part.one.push_back(now_.one[i]);
+      part.other.push_back(now_.other[i]);
+    }
+    end_part();
+  }
+
   std::vector<Stretch> done_;
   Stretch now_;
   Vector2d across_ = Vector2d::Zero();

@@ -1,5 +1,6 @@
 #include "jobs/shared/parameter_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -32,6 +33,29 @@ std::string file_named(const std::string& path) {
   throw InputError(path, place, fault, expected);
 }
 
+/// Relative, of a covariance in a file: what its digits leave of symmetry and of a correlation of one.
+constexpr double of_digits = 1e-6;
+
+// Numbers that no covariance holds. Those that are not known are left to who needs them.
+void check_covariance(const NamedCovariance& covariance, const std::string& path, const std::string& place) {
+  const Eigen::MatrixXd& m = covariance.matrix;
+  for (Eigen::Index r = 0; r < m.rows(); ++r) {
+    const std::string& name = covariance.names[static_cast<std::size_t>(r)];
+    const std::string row = place + ", row " + std::to_string(r + 1) + " (" + name + ")";
+    if (std::count(covariance.names.begin(), covariance.names.end(), name) > 1)
+      refuse(path, place, "names " + name + " twice");
+    if (m(r, r) < 0) refuse(path, row, "has a negative variance");
+    for (Eigen::Index c = 0; c < r; ++c) {
+      const double largest = std::sqrt(m(r, r)) * std::sqrt(m(c, c));
+      const std::string& other = covariance.names[static_cast<std::size_t>(c)];
+      if (std::abs(m(r, c) - m(c, r)) > of_digits * largest)
+        refuse(path, row, "differs from its column at " + other, "a covariance is symmetric");
+      if (std::abs(m(r, c)) > (1 + of_digits) * largest)
+        refuse(path, row, "has a correlation beyond one with " + other);
+    }
+  }
+}
+
 // A list of names and a square matrix of as many numbers a side; null stands for a number that is not known.
 NamedCovariance read_covariance(const nlohmann::json& entry, const std::string& path, const std::string& place) {
   const auto is_list = [&](const char* key) {
@@ -57,6 +81,7 @@ NamedCovariance read_covariance(const nlohmann::json& entry, const std::string& 
       result.matrix(r, c) = number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
     }
   }
+  check_covariance(result, path, place);
   return result;
 }
 

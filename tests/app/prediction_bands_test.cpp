@@ -122,5 +122,47 @@ TEST_F(PredictionBands, AreMissingWithTheReason) {
       << refused.errors;
 }
 
+TEST_F(PredictionBands, RefuseWhatIsNoCovariance) {
+  json estimate = {{"estimates",
+                    {entry("omega0", 100, 0.05), entry("mu", 0.5, 0.01), entry("a2", 0, 0), entry("a3", 4e5, 2e4),
+                     entry("e", 1, 0.02)}}};
+  const auto errors = [&](const json& names, const json& matrix) {
+    estimate["covariance"] = {{"names", names}, {"matrix", matrix}};
+    write("estimate.json", estimate.dump());
+    const testing_support::Outcome refused = testing_support::run_with_shared_cache(
+        folder_,
+        "predict duffing --case primary --parameters estimate.json --at F=0.02 --vary Omega 97 103 -o bad");
+    EXPECT_EQ(refused.status, 2) << matrix;
+    return refused.errors;
+  };
+  const json two = {"omega0", "mu"};
+  const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(has(errors(two, {{1e-4, 1e-5}, {2e-5, 1e-4}}), "row 2 (mu): differs from its column at omega0"));
+  EXPECT_TRUE(has(errors(two, {{1e-4, 2e-4}, {2e-4, 1e-4}}), "a correlation beyond one with omega0"));
+  EXPECT_TRUE(has(errors(two, {{-1e-4, 0}, {0, 1e-4}}), "row 1 (omega0): has a negative variance"));
+  EXPECT_TRUE(has(errors({"mu", "mu"}, {{1e-4, 0}, {0, 1e-4}}), "names mu twice"));
+  // What is not known is no number that is exact.
+  estimate["covariance"] = {{"names", two}, {"matrix", {{nullptr, 0}, {0, 1e-4}}}};
+  write("estimate.json", estimate.dump());
+  predicted("duffing --case primary --parameters estimate.json --at F=0.02 --vary Omega 97 103");
+  EXPECT_TRUE(has(result().at("no_error_bars_because").get<std::string>(), "entries that are no numbers"));
+}
+
+// Beside a fold the amplitude at a fixed frequency is no measure of how sure the largest one is.
+TEST_F(PredictionBands, TheLargestAmplitudeHasAnErrorBarWhereItsCurveIsLevel) {
+  const json estimate = {
+      {"estimates",
+       {entry("omega0", 100, 0.05), entry("mu", 0.5, 0.01), entry("a2", 0, 0), entry("a3", 4e6, 1e5),
+        entry("e", 1, 0.02)}},
+      {"covariance",
+       {{"names", {"omega0", "mu", "a3"}}, {"matrix", {{2.5e-3, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e10}}}}}};
+  write("estimate.json", estimate.dump());
+  const std::string line = "duffing --case primary --parameters estimate.json --at F=";
+  predicted(line + "0.02 --vary Omega 99.9 100.1");
+  EXPECT_NE(read("out/report.html").find("with a peak amplitude of 2.000(40)"), std::string::npos);
+  predicted(line + "2 --vary Omega 88 113");
+  EXPECT_NE(read("out/report.html").find("peak amplitude of 0.0200;"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace secular

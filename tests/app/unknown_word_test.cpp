@@ -59,7 +59,7 @@ TEST_F(TypedWords, UnknownOnesAreNamedWithWhatMayBeMeant) {
   const Outcome curve =
       run("predict duffing --parameters p --vary F 1 2 --against e 1 2 --curve saddle-node -o out");
   EXPECT_EQ(curve.status, 2);
-  EXPECT_NE(curve.errors.find("--curve: saddle-node is none of saddle_node, threshold, hopf, peak; did you mean "
+  EXPECT_NE(curve.errors.find("--curve: 'saddle-node' is none of saddle_node, threshold, hopf, peak; did you mean "
                               "saddle_node?"),
             std::string::npos)
       << curve.errors;
