@@ -99,15 +99,17 @@ class Cutter {
     return m.driven ? m : decay(entry, std::move(m));
   }
 
-  // Samples of a segment; 0, with a warning, where there is too little for one. Of what is driven they are shorter
-  // where so few would be compared that nothing could be held out.
+  // Samples of a segment; 0, with a warning, where there is too little for one. They are shorter where so few would
+  // be compared that nothing could be held out.
   Index length(const RecordEntry& entry, const Movement& m, std::size_t records) {
     const auto of_turns = [&](double turns) {
       return static_cast<Index>(std::ceil(turns * two_pi / lowest_ * m.thinned_rate()));
     };
     Index wanted = cut_.length == SegmentLength::whole ? m.available() : of_turns(decay_turns);
-    if (m.driven && cut_.length != SegmentLength::whole)
+    if (cut_.length != SegmentLength::whole && m.driven)
       wanted = std::clamp<Index>(longest_of_several(records), wanted, of_turns(driven_turns));
+    else if (cut_.length != SegmentLength::whole && !cut_.whole_decays)
+      wanted = std::clamp<Index>(shorter_of_several(m, of_turns(1), records), of_turns(0.5 * decay_turns), wanted);
     const auto length = std::min<Index>(m.available(), std::max(fewest_segment_samples, wanted));
     if (length >= fewest_segment_samples)
       return cut_.whole_decays && !m.driven ? length_to_rest(m, length, noise(m)) : length;
@@ -220,6 +222,12 @@ class Cutter {
   Index longest_of_several(std::size_t records) const {
     const std::size_t of_a_record = (compared_segments + records - 1) / records;
     return cut_.most_samples / static_cast<Index>(records * of_a_record);
+  }
+
+  // The same of a decay, of which little stands out from the noise; `turn`: samples of one. docs/inference.md (85).
+  Index shorter_of_several(const Movement& m, Index turn, std::size_t records) const {
+    const std::size_t of_a_record = (compared_segments + records - 1) / records;
+    return pieces_that_stand_out(m, turn, noise(m)) * turn / static_cast<Index>(of_a_record);
   }
 
   auto piece_of(const Movement& m, Index length, Index piece, Index channel) const {

@@ -125,6 +125,9 @@ DiagnosisRun run_diagnosis(const DiagnosisRequest& request, const Campaign& camp
   const ModelSource source(request.model, request.interpret, request.note, request.catalogue);
   run.campaign = campaign;
   DiagnosisOptions options = options_of(request);
+  // What differs from record to record is allowed for in further turns; of one record there is none, and the time
+  // for it is that of more samples.
+  if (records_within(run.campaign, request.window).size() == 1) options.most_samples *= 2;
   source.take_rest_position(options.given.values, request.parameters_name);
   DisturbanceWatch watch(run.campaign);
   SelectedRecords reader(run.campaign, request.window, watch.look());
