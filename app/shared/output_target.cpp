@@ -128,11 +128,16 @@ void OutputFile::add_to(CLI::App& command, const std::string& option, const std:
   command.add_option(option, path_, description);
 }
 
-void OutputFile::check(const std::vector<CommandInput>& inputs, bool force) const {
+void OutputFile::check(const std::vector<CommandInput>& inputs, bool force, const fs::path& made) const {
   if (path_.empty()) return;
   check_apart(path_, option_, inputs);
   std::error_code error;
-  if (const fs::path folder = fs::absolute(path_).parent_path(); !fs::is_directory(folder, error))
+  const fs::path folder = fs::absolute(path_).lexically_normal().parent_path();
+  const fs::path beside = fs::absolute(made).lexically_normal().parent_path();
+  const bool is_made =
+      !made.empty() &&
+      std::mismatch(folder.begin(), folder.end(), beside.begin(), beside.end()).first == folder.end();
+  if (!is_made && !fs::is_directory(folder, error))
     throw InputError(path_, option_, folder.string() + " is no folder", "make it first");
   if (!fs::exists(fs::symlink_status(path_, error))) return;
   if (!fs::is_regular_file(path_, error))

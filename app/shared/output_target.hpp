@@ -65,8 +65,9 @@ class OutputFile {
   void add_to(CLI::App& command, const std::string& option, const std::string& description);
   const std::string& path() const { return path_; }
 
-  /// `force`: of another option of the command.
-  void check(const std::vector<CommandInput>& inputs, bool force = false) const;
+  /// `force`: of another option of the command. `made`: what the command makes before, with the folders above it.
+  void check(const std::vector<CommandInput>& inputs, bool force = false,
+             const std::filesystem::path& made = {}) const;
   /// To the file, or to standard output.
   void write(const std::string& text) const;
 

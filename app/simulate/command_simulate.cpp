@@ -34,7 +34,7 @@ std::string report_of(const SimulationRequest& request, const std::string& campa
 void check_report(const OutputFile& report, const OutputCampaign& output, const std::string& experiment) {
   if (!overlap(report.path(), output.path()).empty())
     throw InputError(report.path(), "--report", "lies in the campaign's folder", "name a file beside it");
-  report.check({{"the experiment", experiment, false}}, output.replaces());
+  report.check({{"the experiment", experiment, false}}, output.replaces(), output.path());
 }
 
 }  // namespace

@@ -18,7 +18,8 @@
 
 namespace secular {
 
-/// Samples of decays, sweeps and broadband records that a diagnosis compares, in all: what tells effects apart.
+/// Samples of decays, sweeps and broadband records that a diagnosis compares, in all: what tells effects apart. Of
+/// a campaign of one record twice as many.
 inline constexpr Eigen::Index usual_samples = 6000;
 
 struct DiagnosisOptions {

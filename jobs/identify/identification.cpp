@@ -175,7 +175,7 @@ std::pair<std::string, std::string> words_of(const SizedFault& fault) {
     case ChainFault::even_law:
       return {"the even part of a sensor's law",
               fmt::format("an even part of a sensor's law, {:.2g} % of second harmonic at the largest motion{}",
-                          percent, fault.shows_mean ? ", which means show" : "")};
+                          percent, fault.shows_mean && fault.derivatives > 0 ? ", which means show" : "")};
     case ChainFault::cubic_law:
       return {
           "the cubic part of a sensor's law",

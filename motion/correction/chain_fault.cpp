@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 #include "estimator/model/zero_frequency.hpp"
 #include "measure/observe/modal_projection.hpp"
@@ -59,19 +60,28 @@ void take_poles_off_rates(const LowPass& filter, std::span<Observation> windows)
   }
 }
 
-// Displacements alone have a mean that moves: by how much it grows with the square of the amplitude in a decay's
-// windows, less `of_law` of that square.
-double growth_of_mean(std::span<const Observation> windows, std::size_t block, double of_law) {
-  const auto count = static_cast<Eigen::Index>(windows.size());
+// By how much the mean that a decay's windows show in `block` grows with the square of the amplitude. Zero where
+// too few windows show it.
+double growth_of_mean(std::span<const Observation> windows, std::size_t block) {
+  constexpr Eigen::Index fewest = 3;
+  double largest = 0;
+  std::vector<const Observation*> seen;
+  for (const Observation& o : windows) {
+    if (!(o.harmonic_sd[block] > 0)) continue;
+    seen.push_back(&o);
+    largest = std::max(largest, std::norm(o.amplitude.front()));
+  }
+  const auto count = static_cast<Eigen::Index>(seen.size());
+  if (count < fewest || !(largest > 0)) return 0;
   Eigen::MatrixXd matrix(count, 2);
   Eigen::VectorXd target(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Observation& o = windows[static_cast<std::size_t>(i)];
-    if (!(o.harmonic_sd[block] >= 0)) return 0;
-    matrix.row(i) << 1, std::norm(o.amplitude.front());
-    target(i) = o.harmonic[block].real();
+    const Observation& o = *seen[static_cast<std::size_t>(i)];
+    matrix.row(i) << 1, std::norm(o.amplitude.front()) / largest;
+    matrix.row(i) /= o.harmonic_sd[block];
+    target(i) = o.harmonic[block].real() / o.harmonic_sd[block];
   }
-  return matrix.colPivHouseholderQr().solve(target)(1) - of_law;
+  return Eigen::VectorXd(matrix.colPivHouseholderQr().solve(target))(1) / largest;
 }
 
 // Takes a factor 1 + g off the motion, where g is as the square of the amplitude: rates see that as well.
@@ -91,7 +101,7 @@ class SensorLaw {
 
   void take_off(std::span<Observation> windows) const {
     const double mean = growth_of_means(windows);
-    for (Observation& o : windows) even_ ? take_even_off(o, mean) : take_cubic_off(o);
+    for (Observation& o : windows) even_ ? take_even_off(o, mean - 2 * k_) : take_cubic_off(o, mean);
   }
 
  private:
@@ -99,9 +109,10 @@ class SensorLaw {
     return o.amplitude.front() * derived(o.rate.front().imag(), fault_.derivatives);
   }
 
+  // Of displacements, which alone have a mean that moves: that of the motion and of the law.
   double growth_of_means(std::span<const Observation> windows) const {
-    for (std::size_t b = 0; even_ && fault_.derivatives == 0 && b < resonance_.blocks.size(); ++b)
-      if (is_zero_frequency(resonance_.blocks[b])) return growth_of_mean(windows, b, 2 * k_);
+    for (std::size_t b = 0; fault_.derivatives == 0 && b < resonance_.blocks.size(); ++b)
+      if (is_zero_frequency(resonance_.blocks[b])) return growth_of_mean(windows, b);
     return 0;
   }
 
@@ -128,24 +139,27 @@ class SensorLaw {
     return 0;
   }
 
-  void take_even_off(Observation& o, double growth_of_mean) const {
+  // `growth`: of the motion's own mean with the square of the amplitude.
+  void take_even_off(Observation& o, double growth) const {
     const Complex motion = motion_of(o);
     const double square = std::norm(motion);
     if (!(square > 0)) return;
-    for (std::size_t b = 0; fault_.derivatives == 0 && b < o.harmonic.size(); ++b)
-      if (o.harmonic_sd[b] >= 0 && is_zero_frequency(resonance_.blocks[b])) o.harmonic[b] -= 2 * k_ * square;
     take_off_line(o, 2, k_ * motion * motion);
     const Complex second = second_harmonic(o);
-    if (fault_.shows_mean && !o.mean.empty())
-      o.mean.front() -= 2 * k_ * (mean_square(o, fault_.derivatives) + std::norm(second));
+    const double mean = 2 * k_ * (mean_square(o, fault_.derivatives) + std::norm(second));
+    if (fault_.shows_mean && !o.mean.empty()) o.mean.front() -= mean;
+    for (std::size_t b = 0; fault_.derivatives == 0 && fault_.shows_mean && b < o.harmonic.size(); ++b)
+      if (o.harmonic_sd[b] >= 0 && is_zero_frequency(resonance_.blocks[b])) o.harmonic[b] -= mean;
     take_off_line(o, 3, 2 * k_ * motion * second);
-    take_factor_off(2 * k_ * (growth_of_mean * square + std::conj(motion) * second / motion), o);
+    take_factor_off(2 * k_ * (growth * square + std::conj(motion) * second / motion), o);
   }
 
-  void take_cubic_off(Observation& o) const {
+  void take_cubic_off(Observation& o, double growth) const {
     const Complex motion = motion_of(o);
+    const double square = std::norm(motion);
     take_off_line(o, 3, k_ * motion * motion * motion);
-    take_factor_off(3 * k_ * std::norm(motion), o);
+    take_off_line(o, 2, 3 * k_ * square * (2.0 * second_harmonic(o) + growth * motion * motion));
+    take_factor_off(3 * k_ * square, o);
   }
 
   const SizedFault& fault_;

@@ -24,7 +24,7 @@ struct SizedFault {
   double frequency = 0;  ///< w, rad/s
   double largest = 0;    ///< half amplitude of the largest motion, as the channels show it
   int derivatives = 0;   ///< ModalProjection::derivatives
-  /// even_law: its mean is seen, too. False: the chain passes nothing at zero frequency, or nothing is known of it.
+  /// even_law: its mean is seen, too. False: the chain passes nothing at zero frequency.
   bool shows_mean = false;
 
   double amplitude() const;      ///< low_pass: what is left of an amplitude at `frequency`

@@ -37,8 +37,8 @@ constexpr double same_size = 0.02;
 constexpr int numbers_of_poles[] = {1, 4, 16, 64};
 /// Kinds of faults: poles, a cubic law, an even law of which means show their part or do not.
 constexpr double kinds = 4;
-/// Probabilities that means without anything else leave more: above the first they count in full, below the second
-/// not at all.
+/// Means count in full where chance makes as much of what a zero and an even law leave of them with this
+/// probability, and not at all where it does with that of an alarm.
 constexpr double means_hold = 0.05;
 
 // A line of a window, or its mean (`block` none).
@@ -92,8 +92,8 @@ class DecayLines {
 
   bool empty() const { return lines_.empty(); }
   bool one_channel() const { return one_channel_; }
-  bool with_means() const { return !means_.empty(); }
-  double freedom() const { return independent_ - static_cast<double>(offsets_ + 1); }
+  double weight_of_means() const { return weight_of_means_; }
+  double freedom() const { return independent_ - weight_of_means_ * static_cast<double>(offsets_) - 1; }
   SizedFault fault(ChainFault kind, int poles) const {
     return {kind, poles, 0, frequency_, largest_, derivatives_, false};
   }
@@ -151,7 +151,7 @@ class DecayLines {
     means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), 0.5 * windows_of_stretch(o), {}});
   }
 
-  // Square roots of the weights of means, by what a zero, its drift and an even law leave of them: none where zeros
+  // The weight of means, by what a zero, its drift and an even law leave of them: none where zeros
   // wander otherwise.
   void weigh_means() {
     const auto rows = static_cast<Index>(means_.size());
@@ -175,17 +175,16 @@ class DecayLines {
     }
     columns.colwise().normalize();
     const double freedom = independent - static_cast<double>(unknowns);
-    double weight = 0;
     if (freedom >= 1) {
       const double left = (target - columns * VectorXd(columns.colPivHouseholderQr().solve(target))).squaredNorm();
       const double most = chi_squared_upper_quantile(estimator_thresholds().contradiction_alarm, freedom),
                    usual = chi_squared_upper_quantile(means_hold, freedom);
-      weight = std::clamp((most - left) / (most - usual), 0.0, 1.0);
+      weight_of_means_ = std::clamp((most - left) / (most - usual), 0.0, 1.0);
     }
-    if (weight == 0) means_.clear();
+    if (weight_of_means_ == 0) means_.clear();
     if (means_.empty()) offsets_ = 0;
     for (Line& mean : means_) {
-      mean.overlap /= weight;
+      mean.overlap /= weight_of_means_;
       independent_ += 1 / mean.overlap;
     }
   }
@@ -250,7 +249,7 @@ class DecayLines {
       if (!line.block) {
         const Observation& o = observation_of(line);
         const Index first = count + unknowns_of_mean * records_.at(o.record);
-        columns(at, first) = 1 / line.sd;  // means have one factor for all of them
+        columns(at, first) = 1 / line.sd;  // whatever its weight: a column may have any length
         columns(at, first + 1) = o.centre_s / line.sd;
       }
       at += line.block ? 2 : 1;
@@ -270,6 +269,7 @@ class DecayLines {
   MatrixXd orthonormal_;
   std::map<std::size_t, Index> records_;  // of those with means, one after the other
   Index rows_ = 0, offsets_ = 0;
+  double weight_of_means_ = 0;
   double independent_ = 0;  // of the rows
 };
 
@@ -336,9 +336,11 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
   if (lines.one_channel()) {
     search(lines.fault(ChainFault::cubic_law, 1));
     SizedFault even = lines.fault(ChainFault::even_law, 1);
+    const bool moves = even.derivatives == 0;  // its mean is among what numbers are estimated from
+    even.shows_mean = moves;
     search(even);
     even.shows_mean = true;
-    if (lines.with_means()) search(even);
+    if (!moves && lines.weight_of_means() > 0) search(even);
   }
   if (explained.empty()) return {};
   const double least = std::min_element(explained.begin(), explained.end(), [](const auto& a, const auto& b) {
@@ -351,7 +353,8 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
     const double gain = without.squaredNorm() - one.chi_squared;
     const double beside_best = 1 - (one.chi_squared - least) / by_chance;
     if (gain <= by_chance || beside_best <= 0) continue;
-    result.push_back({one.fault, std::sqrt((1 - by_chance / gain) * beside_best)});
+    const double seen = one.fault.shows_mean && one.fault.derivatives > 0 ? lines.weight_of_means() : 1;
+    result.push_back({one.fault, seen * std::sqrt((1 - by_chance / gain) * beside_best)});
   }
   return result;
 }

@@ -111,6 +111,9 @@ TEST(DecayChain, CubicLawIsTakenOffDampingToo) {
   EXPECT_TRUE(mu.doubtful);
   EXPECT_LT(std::abs(*mu.value - 1), 3 * mu.sd);
   EXPECT_GT(mu.sd, 0.002);
+  // The second harmonic grows with it, and a2 hardly moves: 6 k |Y|^2 of it would be two percent.
+  const EstimatedValue& a2 = value_of(id.estimate, "a2");
+  EXPECT_LT(std::abs(*a2.value - quadratic_of_decay), 3 * a2.sd);
 }
 
 // Zeros that wander, and couplings that pass no constant part, are no laws of a sensor.
