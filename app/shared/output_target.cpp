@@ -133,10 +133,11 @@ void OutputFile::check(const std::vector<CommandInput>& inputs, bool force, cons
   check_apart(path_, option_, inputs);
   std::error_code error;
   const fs::path folder = fs::absolute(path_).lexically_normal().parent_path();
-  const fs::path beside = fs::absolute(made).lexically_normal().parent_path();
-  const bool is_made =
-      !made.empty() &&
-      std::mismatch(folder.begin(), folder.end(), beside.begin(), beside.end()).first == folder.end();
+  bool is_made = false;
+  if (!made.empty()) {
+    const fs::path beside = fs::absolute(made).lexically_normal().parent_path();
+    is_made = std::mismatch(folder.begin(), folder.end(), beside.begin(), beside.end()).first == folder.end();
+  }
   if (!is_made && !fs::is_directory(folder, error))
     throw InputError(path_, option_, folder.string() + " is no folder", "make it first");
   if (!fs::exists(fs::symlink_status(path_, error))) return;
