@@ -118,16 +118,13 @@ std::optional<EvenSensor> even_sensor(const Campaign& campaign, const RecordRead
 
 ObservationSet without_even_part(const ObservationSet& set, const EvenSensor& sensor) {
   ObservationSet result = set;
-  for (Observation& o : result.observations)
-    for (std::size_t b = 0; b < o.harmonic.size(); ++b) {
-      const RegressorBlock& block = set.resonance->blocks[b];
-      if (static_cast<std::size_t>(block.mode) != sensor.mode || !(o.harmonic_sd[b] >= 0)) continue;
-      const double own = o.rate[sensor.mode].imag(), f = block_frequency(block, o);
-      if (std::abs(std::abs(f) / own - 2) > 1e-3) continue;
-      const Complex motion = o.amplitude[sensor.mode] * derived(own, sensor.derivatives);
-      const Complex second = sensor.k * motion * motion / derived(2 * own, sensor.derivatives);
-      o.harmonic[b] -= f < 0 ? std::conj(second) : second;
-    }
+  for (Observation& o : result.observations) {
+    const double own = o.rate[sensor.mode].imag();
+    const Complex motion = o.amplitude[sensor.mode] * derived(own, sensor.derivatives);
+    const Complex second = sensor.k * motion * motion / derived(2 * own, sensor.derivatives);
+    for_lines_at_multiple(*set.resonance, sensor.mode, 2, o,
+                          [&](Complex& seen, bool reversed) { seen -= reversed ? std::conj(second) : second; });
+  }
   return result;
 }
 

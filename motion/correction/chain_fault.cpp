@@ -17,9 +17,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Lines at a multiple of a frequency are there to this, relative.
-constexpr double same_line = 1e-3;
-
 // By how much the frequency of a mode grows in a second in each of a decay's windows, rad/s^2: that of the
 // likeliest frequency of second degree in the squared amplitude, by the measured rates.
 Eigen::VectorXd growth_of_frequency(std::span<const Observation> windows, std::size_t mode) {
@@ -119,24 +116,18 @@ class SensorLaw {
   // `line`: in the channels' quantity, at a multiple of the motion's frequency, off that line where it was
   // measured.
   void take_off_line(Observation& o, int multiple, Complex line) const {
-    const double own = o.rate.front().imag();
-    line /= derived(multiple * own, fault_.derivatives);
-    for (std::size_t b = 0; b < o.harmonic.size(); ++b) {
-      const double f = block_frequency(resonance_.blocks[b], o);
-      if (o.harmonic_sd[b] >= 0 && std::abs(std::abs(f) / own - multiple) < same_line)
-        o.harmonic[b] -= f < 0 ? std::conj(line) : line;
-    }
+    line /= derived(multiple * o.rate.front().imag(), fault_.derivatives);
+    for_lines_at_multiple(resonance_, 0, multiple, o,
+                          [&](Complex& seen, bool reversed) { seen -= reversed ? std::conj(line) : line; });
   }
 
   // In the channels' quantity; zero where it was not measured.
   Complex second_harmonic(const Observation& o) const {
-    const double own = o.rate.front().imag();
-    for (std::size_t b = 0; b < o.harmonic.size(); ++b) {
-      const double f = block_frequency(resonance_.blocks[b], o);
-      if (o.harmonic_sd[b] >= 0 && std::abs(std::abs(f) / own - 2) < same_line)
-        return (f < 0 ? std::conj(o.harmonic[b]) : o.harmonic[b]) * derived(2 * own, fault_.derivatives);
-    }
-    return 0;
+    Complex second = 0;
+    for_lines_at_multiple(resonance_, 0, 2, o, [&](const Complex& seen, bool reversed) {
+      second = (reversed ? std::conj(seen) : seen) * derived(2 * o.rate.front().imag(), fault_.derivatives);
+    });
+    return second;
   }
 
   // `growth`: of the motion's own mean with the square of the amplitude.

@@ -49,11 +49,13 @@ struct Line {
   int multiple = 0;
   double sd = 0;
   double overlap = 1;  // see overlap_of
-  Complex replayed{};  // in the frame of the motion, at the measured amplitude; of a mean nothing
+  // In the frame of the motion, at the measured amplitude: by the full equations, and by the expansion at the
+  // estimate. Of a mean nothing.
+  Complex replayed{}, expanded{};
 };
 
 Complex to_frame(Complex line, Complex amplitude, int multiple) {
-  return multiple == 0 ? line : line * std::pow(std::conj(amplitude) / std::abs(amplitude), multiple);
+  return line * std::pow(std::conj(amplitude) / std::abs(amplitude), multiple);
 }
 
 // One length of a stretch has one more window than later ones overlap with, and a stretch is two lengths.
@@ -87,6 +89,7 @@ class DecayLines {
       if (!sets_[s].resonance->excited && s < found.replayed.size()) gather(s, found.replayed[s]);
     if (lines_.empty()) return;
     here_ = parameters_of(sets_);
+    for (Line& line : lines_) line.expanded = prediction(line, here_, observation_of(line));
     see_unknowns();
   }
 
@@ -106,10 +109,8 @@ class DecayLines {
     VectorXd rows = VectorXd::Zero(orthonormal_.rows());
     Index at = 0;
     for (const Line& line : lines_) {
-      const Observation &is = sets[line.set].observations[line.observation],
-                        &was = sets_[line.set].observations[line.observation];
-      const Complex predicted =
-          line.block ? line.replayed + prediction(line, there, is) - prediction(line, here_, was) : 0;
+      const Observation& is = sets[line.set].observations[line.observation];
+      const Complex predicted = line.block ? line.replayed + prediction(line, there, is) - line.expanded : 0;
       const double sd = line.block ? is.harmonic_sd[*line.block] : line.sd;
       put((measured(line, is) - predicted) / (sd * std::sqrt(line.overlap)), line, rows, at);
     }
@@ -135,8 +136,15 @@ class DecayLines {
     if (!(was > 0)) return;
     const double overlap = overlap_of(o, b);
     lines_.push_back(
-        {s, i, b, mode, multiple, o.harmonic_sd[b], overlap,
-         std::pow(is / was, multiple) * to_frame(replayed.harmonic[b], replayed.amplitude[mode], multiple)});
+        {s,
+         i,
+         b,
+         mode,
+         multiple,
+         o.harmonic_sd[b],
+         overlap,
+         std::pow(is / was, multiple) * to_frame(replayed.harmonic[b], replayed.amplitude[mode], multiple),
+         {}});
     rows_ += 2;
     independent_ += 2 / overlap;
     frequency_ += (o.rate[mode].imag() - frequency_) / static_cast<double>(lines_.size());
@@ -148,7 +156,7 @@ class DecayLines {
     const Observation& o = sets_[s].observations[i];
     if (o.mean.empty() || !(o.mean_sd.front() > 0) || o.growth_sd.front() < 0) return;
     // A mean takes all samples of its window alike: two lengths of a stretch hold two of them.
-    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), 0.5 * windows_of_stretch(o), {}});
+    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), 0.5 * windows_of_stretch(o), {}, {}});
   }
 
   // The weight of means, by what a zero, its drift and an even law leave of them: none where zeros
@@ -233,12 +241,11 @@ class DecayLines {
     for (Index d = 0; d < count; ++d) {
       VectorXd column = VectorXd::Zero(rows_ + count);
       Index at = 0;
+      const VectorXd moved = here_ + steps[static_cast<std::size_t>(d)];
       for (const Line& line : lines_) {
         const Observation& o = observation_of(line);
-        const VectorXd moved = here_ + steps[static_cast<std::size_t>(d)];
-        put(line.block
-                ? (prediction(line, moved, o) - prediction(line, here_, o)) / (line.sd * std::sqrt(line.overlap))
-                : Complex(),
+        put(line.block ? (prediction(line, moved, o) - line.expanded) / (line.sd * std::sqrt(line.overlap))
+                       : Complex(),
             line, column, at);
       }
       column(rows_ + d) = 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "estimator/identification/beyond_chance.hpp"
+#include "measure/observe/observed_blocks.hpp"
 #include "measure/observe/record_ranges.hpp"
 
 namespace secular {
@@ -20,10 +21,7 @@ struct Slope {
 // Of the logarithm of the largest mode's amplitude over the excitation's, in one dwell; nothing without noise.
 std::optional<Slope> slope_of(std::span<const Observation> ensembles) {
   if (ensembles.size() < 2 || ensembles.front().forcing.size() != 1) return std::nullopt;
-  std::size_t mode = 0;
-  const std::vector<std::complex<double>>& first = ensembles.front().amplitude;
-  for (std::size_t k = 1; k < first.size(); ++k)
-    if (std::abs(first[k]) > std::abs(first[mode])) mode = k;
+  const std::size_t mode = largest_mode(ensembles.front());
   double mean = 0;
   for (const Observation& o : ensembles) mean += o.centre_s / static_cast<double>(ensembles.size());
   double squares = 0;

@@ -9,6 +9,7 @@
 
 #include "estimator/thresholds.hpp"
 #include "measure/observe/common_observations.hpp"
+#include "measure/observe/observed_blocks.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -32,13 +33,6 @@ struct Course {
   std::vector<std::complex<double>> value;
 };
 
-std::size_t largest_mode_of(const Observation& o) {
-  std::size_t largest = 0;
-  for (std::size_t k = 1; k < o.amplitude.size(); ++k)
-    if (std::abs(o.amplitude[k]) > std::abs(o.amplitude[largest])) largest = k;
-  return largest;
-}
-
 // From one window to the next by the rates of the full equations' motions, to fourth order.
 std::complex<double> way_between(const std::vector<double>& time, const std::vector<std::complex<double>>& rate,
                                  std::size_t j) {
@@ -54,7 +48,7 @@ std::complex<double> way_between(const std::vector<double>& time, const std::vec
 Course course_of(const ObservationSet& set, const ObservationSet& replayed,
                  const std::vector<std::pair<std::size_t, std::size_t>>& common, std::size_t& begin) {
   const std::size_t record = set.observations[common[begin].first].record;
-  const std::size_t mode = largest_mode_of(set.observations[common[begin].first]);
+  const std::size_t mode = largest_mode(set.observations[common[begin].first]);
   Course course;
   std::vector<std::complex<double>> measured, rate;
   for (; begin < common.size(); ++begin) {

@@ -14,14 +14,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Of the mode that moves most.
-double own_frequency(const Observation& o) {
-  std::size_t largest = 0;
-  for (std::size_t k = 1; k < o.amplitude.size(); ++k)
-    if (std::abs(o.amplitude[k]) > std::abs(o.amplitude[largest])) largest = k;
-  return o.rate[largest].imag();
-}
-
 const Observation* first_of(std::span<const ObservationSet> sets, std::string_view resonance, std::size_t record) {
   for (const ObservationSet& set : sets)
     if (set.resonance->name == resonance)
@@ -86,7 +78,7 @@ std::optional<LowPass> shared_low_pass(std::span<const CaseLateness> lateness,
       if (o == nullptr) continue;
       // Whole periods of the excitation are no more than a choice.
       const double late = std::remainder(record.late_s, record.period_s);
-      const double w = late < 0 ? o->excitation_frequency.front() : own_frequency(*o);
+      const double w = late < 0 ? o->excitation_frequency.front() : o->rate[largest_mode(*o)].imag();
       if (std::abs(w * late) >= 0.5 * std::numbers::pi) return std::nullopt;
       early += late < 0 ? 1 : 0;
       least = std::min(least, std::abs(late));
