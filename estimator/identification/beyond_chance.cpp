@@ -9,14 +9,17 @@
 
 namespace secular {
 
+double beyond_chance(double ratio, double freedom, double alarm, double numerator) {
+  return std::max(0.0, 1 - f_upper_tail(ratio, numerator, freedom) / alarm);
+}
+
 double beyond_chance(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& target, Eigen::Index at, double freedom,
                      double trusted) {
   const Eigen::VectorXd found = matrix.colPivHouseholderQr().solve(target);
   const double scatter = std::max(1.0, (target - matrix * found).squaredNorm() / freedom);
   const double variance = (matrix.transpose() * matrix).inverse()(at, at) * scatter;
-  const double by_chance = f_upper_quantile(estimator_thresholds().contradiction_alarm, 1, freedom);
-  const double counts = trusted * (1 - by_chance * variance / (found(at) * found(at)));
-  return counts > 0 ? found(at) * std::sqrt(counts) : 0;
+  const double alarm = estimator_thresholds().contradiction_alarm;
+  return found(at) * beyond_chance(found(at) * found(at) / variance, freedom, alarm) * std::sqrt(trusted);
 }
 
 }  // namespace secular

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 #include "estimator/identification/even_sensor.hpp"
@@ -113,7 +114,7 @@ void judge_lateness(const EstimateTask& task, Identification& id) {
     filter->poles = poles;
     bool holds = true;
     const std::string allowed = allow_for(id.estimate, "a low-pass that makes records late", [&] {
-      Estimate other = estimate_corrected(before_low_pass(id.measured, *filter), task).estimate;
+      Estimate other = estimate_corrected(before_poles(id.measured, *filter), task).estimate;
       holds = cases_with_lack_of_fit(other).empty() && !other.consistency.significant;
       return holds ? other : id.estimate;
     });
@@ -172,19 +173,28 @@ void add_clause(std::string& all, const std::string& one) {
 std::pair<std::string, std::string> words_of(const SizedFault& fault) {
   const double percent = 100 * std::abs(fault.size);
   switch (fault.kind) {
-    case ChainFault::even_law:
+    case ChainFault::even_law: {
+      const std::string told =
+          fault.coupling_s > 0
+              ? fmt::format(", which means show behind a coupling that passes none below {:.2g} Hz",
+                            0.5 / (std::numbers::pi * fault.coupling_s))
+          : fault.shows_mean && fault.derivatives > 0 ? ", which means show"
+                                                      : "";
       return {"the even part of a sensor's law",
               fmt::format("an even part of a sensor's law, {:.2g} % of second harmonic at the largest motion{}",
-                          percent, fault.shows_mean && fault.derivatives > 0 ? ", which means show" : "")};
+                          percent, told)};
+    }
     case ChainFault::cubic_law:
       return {
           "the cubic part of a sensor's law",
           fmt::format("a cubic part of a sensor's law, {:.2g} % of third harmonic at the largest motion", percent)};
-    default:
-      return {"a low-pass in the responses",
-              fmt::format("a low-pass of {} in the responses that takes {:.2g} % off amplitudes",
+    default: {
+      const std::string kind = fault.kind == ChainFault::low_pass ? "a low-pass" : "a high-pass";
+      return {kind + " in the responses",
+              fmt::format("{} of {} in the responses that takes {:.2g} % off amplitudes", kind,
                           fault.poles == 1 ? "a single pole" : fmt::format("{} equal poles", fault.poles),
-                          100 * (1 - fault.amplitude()))};
+                          100 * (1 - fault.filter().amplitude()))};
+    }
   }
 }
 

@@ -10,7 +10,7 @@
 #include "measure/observe/modal_projection.hpp"
 #include "measure/observe/observed_blocks.hpp"
 #include "measure/observe/record_ranges.hpp"
-#include "motion/correction/low_pass.hpp"
+#include "motion/correction/equal_poles.hpp"
 
 namespace secular {
 namespace {
@@ -44,15 +44,12 @@ Eigen::VectorXd growth_of_frequency(std::span<const Observation> windows, std::s
 }
 
 // What poles take off depends on the frequency, which an amplitude that falls moves: rates see that, too.
-void take_poles_off_rates(const LowPass& filter, std::span<Observation> windows) {
+void take_poles_off_rates(const EqualPoles& filter, std::span<Observation> windows) {
   for (std::size_t k = 0; k < windows.front().rate.size(); ++k) {
     const Eigen::VectorXd growth = growth_of_frequency(windows, k);
     for (std::size_t i = 0; i < windows.size(); ++i) {
       std::complex<double>& rate = windows[i].rate[k];
-      const Complex pole(0, filter.time_constant());
-      const Complex slope = static_cast<double>(filter.poles) * pole / (1.0 + pole * rate.imag()) -
-                            Complex(0, std::abs(filter.late_s));
-      rate += slope * growth(static_cast<Eigen::Index>(i));
+      rate += filter.slope_of_inverse(rate.imag()) * growth(static_cast<Eigen::Index>(i));
     }
   }
 }
@@ -161,12 +158,14 @@ class SensorLaw {
 
 }  // namespace
 
-double SizedFault::time_constant() const {
-  return std::sqrt(size / poles) / frequency;
-}
-
-double SizedFault::amplitude() const {
-  return std::pow(1 + size / poles, -0.5 * poles);
+EqualPoles SizedFault::filter() const {
+  EqualPoles result;
+  result.frequency = frequency;
+  result.poles = poles;
+  result.high_pass = kind == ChainFault::high_pass;
+  const double angle = result.high_pass ? size / poles : std::sqrt(size / poles);  // w tau, or 1/(w tau)
+  result.late_s = poles * std::atan(angle) / frequency;
+  return result;
 }
 
 double mean_square(const Observation& window, int derivatives) {
@@ -187,12 +186,9 @@ int multiple_of(const RegressorBlock& block) {
 }
 
 std::vector<ObservationSet> without_fault(std::span<const ObservationSet> sets, const SizedFault& fault) {
-  if (fault.kind == ChainFault::low_pass) {
-    LowPass filter;
-    filter.frequency = fault.frequency;
-    filter.poles = fault.poles;
-    filter.late_s = fault.poles * std::atan(fault.frequency * fault.time_constant()) / fault.frequency;
-    std::vector<ObservationSet> before = before_low_pass(sets, filter);
+  if (is_filter(fault.kind)) {
+    const EqualPoles filter = fault.filter();
+    std::vector<ObservationSet> before = before_poles(sets, filter);
     for (std::size_t s = 0; s < before.size(); ++s) {
       if (before[s].resonance->excited) continue;
       for (const RecordRange& range : ranges_of_records(before[s].observations))

@@ -8,11 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "estimator/identification/beyond_chance.hpp"
 #include "estimator/identification/predicted_harmonics.hpp"
 #include "estimator/thresholds.hpp"
 #include "input/numerical_failure.hpp"
 #include "measure/observe/common_observations.hpp"
 #include "measure/observe/modal_projection.hpp"
+#include "motion/correction/coupled_means.hpp"
 #include "numerics/distribution.hpp"
 
 namespace secular {
@@ -35,11 +37,12 @@ constexpr int most_sizes = 9;
 /// Sizes that differ by less than this share are the same: what they move is allowed for to no more digits.
 constexpr double same_size = 0.02;
 constexpr int numbers_of_poles[] = {1, 4, 16, 64};
-/// Kinds of faults: poles, a cubic law, an even law of which means show their part or do not.
-constexpr double kinds = 4;
-/// Means count in full where chance makes as much of what a zero and an even law leave of them with this
-/// probability, and not at all where it does with that of an alarm.
-constexpr double means_hold = 0.05;
+/// Kinds of faults: poles that pass what is below or above them (half a kind each, as they have no negative size),
+/// a cubic law, an even law of which means show their part, do not, or do behind a coupling.
+constexpr double kinds = 5;
+/// A fault that explains harmonics less well than another does so as well where chance makes the difference with
+/// this probability.
+constexpr double as_likely = 0.05;
 
 // A line of a window, or its mean (`block` none).
 struct Line {
@@ -97,8 +100,19 @@ class DecayLines {
   bool one_channel() const { return one_channel_; }
   double weight_of_means() const { return weight_of_means_; }
   double freedom() const { return independent_ - weight_of_means_ * static_cast<double>(offsets_) - 1; }
+  // An even law that means show behind a coupling, whose corner is below the motion.
+  std::vector<FoundFault> behind_coupling() const {
+    if (!one_channel_ || derivatives_ == 0) return {};
+    const auto law =
+        coupled_law(sets_, derivatives_, 1 / frequency_, estimator_thresholds().contradiction_alarm / kinds);
+    if (!law || !(std::abs(law->k * largest_) < 1)) return {};
+    SizedFault result = fault(ChainFault::even_law, 1);
+    result.size = law->k * largest_;
+    result.coupling_s = law->time_constant_s;
+    return {{result, law->counts}};
+  }
   SizedFault fault(ChainFault kind, int poles) const {
-    return {kind, poles, 0, frequency_, largest_, derivatives_, false};
+    return {kind, poles, 0, frequency_, largest_, derivatives_, false, 0};
   }
 
   // What is left of the rows beside what is not known, where a fault is taken off and everything is estimated once
@@ -155,8 +169,7 @@ class DecayLines {
   void add_mean(std::size_t s, std::size_t i) {
     const Observation& o = sets_[s].observations[i];
     if (o.mean.empty() || !(o.mean_sd.front() > 0) || o.growth_sd.front() < 0) return;
-    // A mean takes all samples of its window alike: two lengths of a stretch hold two of them.
-    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), 0.5 * windows_of_stretch(o), {}, {}});
+    means_.push_back({s, i, std::nullopt, 0, 0, o.mean_sd.front(), overlap_of_means(o), {}, {}});
   }
 
   // The weight of means, by what a zero, its drift and an even law leave of them: none where zeros
@@ -185,9 +198,7 @@ class DecayLines {
     const double freedom = independent - static_cast<double>(unknowns);
     if (freedom >= 1) {
       const double left = (target - columns * VectorXd(columns.colPivHouseholderQr().solve(target))).squaredNorm();
-      const double most = chi_squared_upper_quantile(estimator_thresholds().contradiction_alarm, freedom),
-                   usual = chi_squared_upper_quantile(means_hold, freedom);
-      weight_of_means_ = std::clamp((most - left) / (most - usual), 0.0, 1.0);
+      weight_of_means_ = weight_by_what_is_left(left, freedom);
     }
     if (weight_of_means_ == 0) means_.clear();
     if (means_.empty()) offsets_ = 0;
@@ -311,7 +322,7 @@ std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, co
     if (step == 0 && std::pow(slope.dot(without), 2) / slope.squaredNorm() < promising * least_gain)
       return std::nullopt;
     double next = size - slope.dot(here) / slope.squaredNorm();
-    if (fault.kind == ChainFault::low_pass && next <= 0) {
+    if (is_filter(fault.kind) && next <= 0) {
       if (best) break;
       next = 0.1 * size;
     }
@@ -330,16 +341,17 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
   const DecayLines lines(found, task);
   if (lines.empty() || !(lines.freedom() >= 1)) return {};
   const VectorXd without = lines.left(lines.fault(ChainFault::low_pass, 1));
-  const double least_gain =
-      f_upper_quantile(estimator_thresholds().contradiction_alarm / kinds, 1, lines.freedom());
+  const double alarm = estimator_thresholds().contradiction_alarm / kinds;
+  const double least_gain = f_upper_quantile(alarm, 1, lines.freedom());
   std::vector<Explained> explained;
   const auto search = [&](const SizedFault& fault) {
     auto one = best_size(lines, fault, without, least_gain);
     if (one) explained.push_back(*one);
     return one.has_value();
   };
-  for (const int poles : numbers_of_poles)
-    if (!search(lines.fault(ChainFault::low_pass, poles))) break;
+  for (const ChainFault kind : {ChainFault::low_pass, ChainFault::high_pass})
+    for (const int poles : numbers_of_poles)
+      if (!search(lines.fault(kind, poles))) break;
   if (lines.one_channel()) {
     search(lines.fault(ChainFault::cubic_law, 1));
     SizedFault even = lines.fault(ChainFault::even_law, 1);
@@ -349,19 +361,21 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
     even.shows_mean = true;
     if (!moves && lines.weight_of_means() > 0) search(even);
   }
-  if (explained.empty()) return {};
+  std::vector<FoundFault> result = lines.behind_coupling();
+  if (explained.empty()) return result;
   const double least = std::min_element(explained.begin(), explained.end(), [](const auto& a, const auto& b) {
                          return a.chi_squared < b.chi_squared;
                        })->chi_squared;
   const double scatter = std::max(1.0, least / lines.freedom());
-  const double by_chance = least_gain * scatter;
-  std::vector<FoundFault> result;
+  const double usual = f_upper_quantile(as_likely, 1, lines.freedom());
   for (const Explained& one : explained) {
     const double gain = without.squaredNorm() - one.chi_squared;
-    const double beside_best = 1 - (one.chi_squared - least) / by_chance;
-    if (gain <= by_chance || beside_best <= 0) continue;
+    const double counts = beyond_chance(gain / scatter, lines.freedom(), alarm);
+    const double beside_best =
+        std::clamp((least_gain - (one.chi_squared - least) / scatter) / (least_gain - usual), 0.0, 1.0);
+    if (!(counts > 0) || !(beside_best > 0)) continue;
     const double seen = one.fault.shows_mean && one.fault.derivatives > 0 ? lines.weight_of_means() : 1;
-    result.push_back({one.fault, seen * std::sqrt((1 - by_chance / gain) * beside_best)});
+    result.push_back({one.fault, seen * counts * beside_best});
   }
   return result;
 }

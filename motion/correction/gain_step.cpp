@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "estimator/identification/beyond_chance.hpp"
 #include "estimator/thresholds.hpp"
 #include "measure/observe/common_observations.hpp"
 #include "measure/observe/observed_blocks.hpp"
@@ -149,15 +150,15 @@ std::optional<GainStep> gain_step(const CorrectedEstimate& found) {
     }
   }
   const Place* most = nullptr;
+  const double alarm = estimator_thresholds().contradiction_alarm / static_cast<double>(places.size());
   for (Place& place : places) {
-    const double by_chance = f_upper_quantile(
-        estimator_thresholds().contradiction_alarm / static_cast<double>(places.size()), 1, place.freedom);
+    const double by_chance = f_upper_quantile(alarm, 1, place.freedom);
     place.over_chance = place.f / by_chance;
     if (most == nullptr || place.over_chance > most->over_chance) most = &place;
   }
   if (most == nullptr || !(most->over_chance > 1)) return std::nullopt;
   GainStep step = most->step;
-  step.counts = std::sqrt(1 - 1 / most->over_chance);
+  step.counts = beyond_chance(most->f, most->freedom, alarm);
   return step;
 }
 

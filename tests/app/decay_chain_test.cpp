@@ -57,6 +57,13 @@ void pass_pole(std::vector<double>& samples, double time_constant) {
   }
 }
 
+void pass_coupling(std::vector<double>& samples, double time_constant) {
+  std::vector<double> slow = samples;
+  slow.front() = 0;  // as if nothing had been there before
+  pass_pole(slow, time_constant);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] -= slow[i];
+}
+
 void expect_truth_or_doubt(const Identification& id) {
   for (const auto& [name, truth] : {std::pair{"a2", quadratic_of_decay}, std::pair{"a3", cubic_of_decay}}) {
     const EstimatedValue& value = value_of(id.estimate, name);
@@ -84,6 +91,30 @@ TEST(DecayChain, LowPassIsToldByHarmonics) {
   EXPECT_TRUE(warns(id.estimate.warnings, "low-pass of"));
   EXPECT_GT(*value_of(id.estimate, "a3").value / cubic_of_decay, 1.06);
   expect_truth_or_doubt(id);
+}
+
+// A corner at a fifth of the frequency takes 2 % off amplitudes, and turns harmonics against the motion.
+TEST(DecayChain, HighPassIsToldByHarmonics) {
+  const Identification id = identified_by_chain(
+      lopsided_decays(11), [](std::vector<double>& y, std::size_t) { pass_coupling(y, 5 / 125.66); });
+  EXPECT_TRUE(warns(id.estimate.warnings, "high-pass of"));
+  EXPECT_GT(*value_of(id.estimate, "a3").value / cubic_of_decay, 1.02);
+  expect_truth_or_doubt(id);
+}
+
+// Behind a coupling means are the smaller the faster it is, and have the other sign.
+TEST(DecayChain, EvenLawBehindACouplingIsToldByMeans) {
+  const SimulatedCampaign made = lopsided_decays(11);
+  const double largest = testing_support::largest_response(made);
+  for (const double share : {0.03, -0.06}) {
+    const Identification id = identified_by_chain(made, [&](std::vector<double>& y, std::size_t) {
+      for (double& sample : y) sample *= 1 + share * sample / largest;
+      pass_coupling(y, 0.3);
+    });
+    EXPECT_TRUE(warns(id.estimate.warnings, "means show behind a coupling"));
+    EXPECT_GT(std::abs(*value_of(id.estimate, "a2").value / quadratic_of_decay - 1), 0.1);
+    expect_truth_or_doubt(id);
+  }
 }
 
 TEST(DecayChain, EvenLawIsToldByMeans) {

@@ -141,13 +141,13 @@ TEST(LowPass, PutsBackWhatPolesTakeOff) {
   const double w = 2 * std::numbers::pi * 20;
   for (const int poles : {1, 4}) {
     ObservationSet set = at_20_hz(1);
-    const LowPass filter{0.003, w, poles};
+    const EqualPoles filter{0.003, w, poles};
     const std::complex<double> by = std::pow(std::complex<double>(1, w * filter.time_constant()), poles);
     EXPECT_NEAR(std::arg(by), w * filter.late_s, 1e-12);
     EXPECT_NEAR(std::abs(by) * filter.amplitude(), 1, 1e-12);
     set.observations[0].amplitude[0] = std::complex<double>(1e-3, 2e-3) / by;
     set.observations[0].amplitude_sd = {1e-6};
-    const ObservationSet before = before_low_pass(std::vector{set}, filter)[0];
+    const ObservationSet before = before_poles(std::vector{set}, filter)[0];
     const std::complex<double> truth = std::complex<double>(1e-3, 2e-3) * std::polar(1.0, -w * filter.late_s);
     EXPECT_LT(std::abs(before.observations[0].amplitude[0] - truth), 1e-15);
     EXPECT_NEAR(before.observations[0].amplitude_sd[0], 1e-6 / filter.amplitude(), 1e-18);
