@@ -186,7 +186,7 @@ class CouplingFit {
 // The likeliest time constant. Every step is continuous in what is fitted, but for the first choice.
 double likeliest(const CouplingFit& fit, double shortest, bool law) {
   double best = std::log(shortest), least = INFINITY;
-  const double from = best, to = std::log(fit.longest());
+  const double from = best, to = std::log(0.5 * fit.longest());
   for (double at = from; at < to; at += std::numbers::ln2) {
     const double here = fit.left(std::exp(at), law).chi_squared;
     if (here < least) {
