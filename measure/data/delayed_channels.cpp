@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "input/input_error.hpp"
+#include "measure/data/all_pass_delay.hpp"
 
 namespace secular {
 namespace {
@@ -30,8 +31,8 @@ std::vector<double> weights_of(std::ptrdiff_t m, double share) {
   return weights;
 }
 
-// `count` samples of a channel from `place` (in samples from its begin) on.
-std::vector<double> samples_from(const std::vector<double>& samples, double place, std::size_t count) {
+// `count` samples of a channel from `place` (in samples from its begin) on, by polynomials.
+std::vector<double> interpolated_from(const std::vector<double>& samples, double place, std::size_t count) {
   const auto first = static_cast<std::ptrdiff_t>(std::floor(place)),
              all = static_cast<std::ptrdiff_t>(samples.size());
   const double share = place - static_cast<double>(first);
@@ -46,6 +47,20 @@ std::vector<double> samples_from(const std::vector<double>& samples, double plac
     }
     const std::vector<double> weights = m == half_width ? inside : weights_of(m, share);
     moved[i] = std::inner_product(weights.begin(), weights.end(), samples.begin() + (base - m + 1), 0.0);
+  }
+  return moved;
+}
+
+// The same: by an all-pass, which leaves noise as it is, where samples before and behind suffice.
+std::vector<double> samples_from(const std::vector<double>& samples, double place, std::size_t count) {
+  std::vector<double> moved = interpolated_from(samples, place, count);
+  const double whole = std::round(place);
+  if (place == whole) return moved;
+  const AllPassDelay delay(whole - place);
+  const std::vector<double> delayed = delay(samples);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = static_cast<std::size_t>(whole) + i + AllPassDelay::order;
+    if (at >= delay.settled() && at < delayed.size()) moved[i] = delayed[at];
   }
   return moved;
 }
@@ -88,10 +103,12 @@ Record without_delays(const Campaign& campaign, Record record, const std::string
                      "a delay in seconds was expected");
   const auto first = static_cast<std::size_t>(std::ceil(-earliest));
   const std::size_t count = all - static_cast<std::size_t>(cut);
+  // An all-pass would carry an unusable sample far along the record.
+  const auto& moved = record.unusable.empty() ? samples_from : interpolated_from;
   record.unusable = unusable_after(record, earliest, latest, first, count);
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     const double late = campaign.channels[c].delay_s * record.sample_rate_hz;
-    record.channels[c] = samples_from(record.channels[c], static_cast<double>(first) + late, count);
+    record.channels[c] = moved(record.channels[c], static_cast<double>(first) + late, count);
   }
   record.start_s += static_cast<double>(first) / record.sample_rate_hz;
   record.cut_for_delay = all - count;

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "input/input_error.hpp"
 #include "measure/data/campaign_text.hpp"
@@ -63,6 +65,24 @@ TEST(DelayedChannels, ComeInStep) {
       ASSERT_NEAR(moved.channels[0][i], two_tones(t), 1e-9) << delay;
       ASSERT_NEAR(moved.channels[1][i], two_tones(t), 1e-5) << delay << ' ' << i;
     }
+  }
+}
+
+// Polynomials alone would take 7 % off it where samples are half way between samples.
+TEST(DelayedChannels, NoiseStaysWhiteAndAsLargeAsItIs) {
+  const auto power_at_lag = [](const std::vector<double>& y, std::size_t lag) {
+    double sum = 0;
+    for (std::size_t i = 0; i + lag < y.size(); ++i) sum += y[i] * y[i + lag];
+    return sum / static_cast<double>(y.size());
+  };
+  Record record = late_record(0, 8000);
+  std::mt19937_64 draw(5);
+  std::normal_distribution<double> noise;
+  for (double& y : record.channels[1]) y = noise(draw);
+  for (const double share : {0.5, 0.3, 0.9, -0.5, 1.5}) {
+    const Record moved = without_delays(late_campaign(share / delayed_rate), record, "a.csv");
+    for (const std::size_t lag : {0U, 1U, 2U})
+      EXPECT_NEAR(power_at_lag(moved.channels[1], lag), power_at_lag(record.channels[1], lag), 0.003) << share;
   }
 }
 
