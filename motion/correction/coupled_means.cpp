@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 constexpr Index of_a_zero = 3, of_a_record = of_a_zero + 1, of_a_passed_record = 2;
 /// Of all means: the square of the amplitude, and what its harmonics make of the fourth power.
 constexpr Index of_a_law = 2;
-/// Means count in full where chance leaves as much of them with this probability.
+/// RecordMeans count in full where chance leaves as much of them with this probability.
 constexpr double means_hold = 0.05;
 /// Time constants a factor of two apart are tried; a minimum between them is found by parabolas, each over half the
 /// range of the one before.
@@ -61,14 +61,14 @@ class SmoothedPower {
 };
 
 // The means of one record, by window.
-struct Means {
+struct RecordMeans {
   std::vector<double> begin, end, weight, value;  // s, one over standard deviations, the channels' unit
   std::vector<double> mean_square;                // of half the amplitude
   std::vector<double> at, square;                 // s, of half the amplitude, from before the first window on
 };
 
-Means means_of(std::span<const Observation> windows, int derivatives, double& independent) {
-  Means result;
+RecordMeans means_of(std::span<const Observation> windows, int derivatives, double& independent) {
+  RecordMeans result;
   for (const Observation& o : windows) {
     if (o.mean.empty() || !(o.mean_sd.front() > 0) || o.growth_sd.front() < 0) continue;
     const double square = std::norm(o.amplitude.front() * derived(o.rate.front().imag(), derivatives));
@@ -90,6 +90,12 @@ Means means_of(std::span<const Observation> windows, int derivatives, double& in
   return result;
 }
 
+struct MeanRows {
+  MatrixXd columns;
+  VectorXd target;
+  Index filled = 0;
+};
+
 // What a law and a coupling leave of all means.
 class CouplingFit {
  public:
@@ -97,11 +103,11 @@ class CouplingFit {
     for (const ObservationSet& set : sets) {
       if (set.resonance->excited) continue;
       for (const RecordRange& range : ranges_of_records(set.observations)) {
-        Means means = means_of(range.of(set.observations), derivatives, independent_);
+        RecordMeans means = means_of(range.of(set.observations), derivatives, independent_);
         if (!means.value.empty()) records_.push_back(std::move(means));
       }
     }
-    for (const Means& m : records_) {
+    for (const RecordMeans& m : records_) {
       rows_ += static_cast<Index>(m.value.size());
       longest_ = std::max(longest_, m.end.back() - m.begin.front());
       largest_ = std::max(largest_, *std::max_element(m.square.begin(), m.square.end()));
@@ -124,7 +130,7 @@ class CouplingFit {
     MatrixXd columns = MatrixXd::Zero(rows_, of_a_passed_record * static_cast<Index>(records_.size()) + 1);
     VectorXd target(rows_);
     Index row = 0, first = 0;
-    for (const Means& m : records_) {
+    for (const RecordMeans& m : records_) {
       for (std::size_t i = 0; i < m.value.size(); ++i, ++row) {
         const double by = m.weight[i];
         columns(row, first) = by;
@@ -139,11 +145,9 @@ class CouplingFit {
 
   Left left(double tau, bool law) const {
     const Index records = static_cast<Index>(records_.size());
-    MatrixXd columns = MatrixXd::Zero(rows_, of_a_record * records + (law ? of_a_law : 0));
-    VectorXd target(rows_);
-    Index row = 0;
-    for (Index r = 0; r < records; ++r)
-      add(records_[static_cast<std::size_t>(r)], tau, law, of_a_record * r, columns, target, row);
+    MeanRows rows{MatrixXd::Zero(rows_, of_a_record * records + (law ? of_a_law : 0)), VectorXd(rows_)};
+    for (Index r = 0; r < records; ++r) add(records_[static_cast<std::size_t>(r)], tau, law, of_a_record * r, rows);
+    auto& [columns, target, filled] = rows;
     const VectorXd size = columns.colwise().norm().transpose();
     for (Index c = 0; c < columns.cols(); ++c)
       if (size(c) > 0) columns.col(c) /= size(c);
@@ -157,28 +161,27 @@ class CouplingFit {
  private:
   // The mean over a window of what a high-pass leaves of m is tau times what its low-pass grows by, over the
   // window.
-  void add(const Means& m, double tau, bool law, Index first, MatrixXd& columns, VectorXd& target,
-           Index& row) const {
+  void add(const RecordMeans& m, double tau, bool law, Index first, MeanRows& rows) const {
     std::vector<double> relative = m.square;
     for (double& s : relative) s /= largest_;
     std::vector<SmoothedPower> powers;
     for (Index term = 0; law && term < of_a_law; ++term)
       powers.emplace_back(m.at, relative, static_cast<double>(1 + term), tau);
     const double start = m.begin.front();
-    for (std::size_t i = 0; i < m.value.size(); ++i, ++row) {
+    for (std::size_t i = 0; i < m.value.size(); ++i, ++rows.filled) {
       const double by = m.weight[i], share = tau / (m.end[i] - m.begin[i]);
       for (Index degree = 0; degree < of_a_zero; ++degree)
-        columns(row, first + degree) = by * std::pow((m.end[i] - start) / longest_, degree);
-      columns(row, first + of_a_zero) =
+        rows.columns(rows.filled, first + degree) = by * std::pow((m.end[i] - start) / longest_, degree);
+      rows.columns(rows.filled, first + of_a_zero) =
           by * share * (std::exp((start - m.begin[i]) / tau) - std::exp((start - m.end[i]) / tau));
       for (std::size_t term = 0; term < powers.size(); ++term)
-        columns(row, columns.cols() - of_a_law + static_cast<Index>(term)) =
+        rows.columns(rows.filled, rows.columns.cols() - of_a_law + static_cast<Index>(term)) =
             by * share * (powers[term](m.end[i]) - powers[term](m.begin[i]));
-      target(row) = by * m.value[i];
+      rows.target(rows.filled) = by * m.value[i];
     }
   }
 
-  std::vector<Means> records_;
+  std::vector<RecordMeans> records_;
   Index rows_ = 0;
   double independent_ = 0, longest_ = 0, largest_ = 0;
 };

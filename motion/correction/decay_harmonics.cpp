@@ -115,11 +115,13 @@ class DecayLines {
     return {kind, poles, 0, frequency_, largest_, derivatives_, false, 0};
   }
 
-  // What is left of the rows beside what is not known, where a fault is taken off and everything is estimated once
-  // more.
-  VectorXd left(const SizedFault& fault) const {
-    const std::vector<ObservationSet> sets = fault.size == 0 ? sets_ : without_fault(sets_, fault);
-    const VectorXd there = fault.size == 0 ? here_ : parameters_of(sets);
+  // What is left of the rows beside what is not known, where a fault is taken off (and first another, `beside` it)
+  // and everything is estimated once more.
+  VectorXd left(const SizedFault& fault, const SizedFault* beside = nullptr) const {
+    std::vector<ObservationSet> sets = sets_;
+    for (const SizedFault* one : {beside, &fault})
+      if (one != nullptr && one->size != 0) sets = without_fault(sets, *one);
+    const VectorXd there = fault.size == 0 && beside == nullptr ? here_ : parameters_of(sets);
     VectorXd rows = VectorXd::Zero(orthonormal_.rows());
     Index at = 0;
     for (const Line& line : lines_) {
@@ -303,7 +305,7 @@ constexpr double promising = 0.25;
 // By Gauss-Newton steps with slopes from size to size. Poles have no negative size. Nothing where no size explains
 // more than none, or where the first slope does not promise a good part of `least_gain` in chi-squared.
 std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, const VectorXd& without,
-                                   double least_gain) {
+                                   double least_gain, const SizedFault* beside = nullptr) {
   std::optional<Explained> best;
   VectorXd before = without;
   double size_before = 0, size = first_size;
@@ -311,7 +313,7 @@ std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, co
     fault.size = size;
     VectorXd here;
     try {
-      here = lines.left(fault);
+      here = lines.left(fault, beside);
     } catch (const NumericalFailure&) {
       return best;
     }
@@ -333,6 +335,21 @@ std::optional<Explained> best_size(const DecayLines& lines, SizedFault fault, co
     size = next;
   }
   return best;
+}
+
+// An even law that means show beside another fault, which harmonics show: means know nothing of that one.
+std::optional<FoundFault> law_beside(const DecayLines& lines, const SizedFault& first, double alarm) {
+  SizedFault even = lines.fault(ChainFault::even_law, 1);
+  if (!lines.one_channel() || even.derivatives == 0) return std::nullopt;
+  even.shows_mean = true;
+  const double freedom = lines.freedom() - 1;
+  if (!(freedom >= 1)) return std::nullopt;
+  const VectorXd without = lines.left(even, &first);
+  const auto one = best_size(lines, even, without, f_upper_quantile(alarm, 1, freedom), &first);
+  if (!one) return std::nullopt;
+  const double scatter = std::max(1.0, one->chi_squared / freedom);
+  const double counts = beyond_chance((without.squaredNorm() - one->chi_squared) / scatter, freedom, alarm);
+  return counts > 0 ? std::optional(FoundFault{one->fault, counts}) : std::nullopt;
 }
 
 }  // namespace
@@ -361,22 +378,31 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
     even.shows_mean = true;
     if (!moves && lines.weight_of_means() > 0) search(even);
   }
+  const auto best = std::min_element(explained.begin(), explained.end(),
+                                     [](const auto& a, const auto& b) { return a.chi_squared < b.chi_squared; });
   std::vector<FoundFault> result = lines.behind_coupling();
   if (explained.empty()) return result;
-  const double least = std::min_element(explained.begin(), explained.end(), [](const auto& a, const auto& b) {
-                         return a.chi_squared < b.chi_squared;
-                       })->chi_squared;
+  const double least = best->chi_squared;
   const double scatter = std::max(1.0, least / lines.freedom());
   const double usual = f_upper_quantile(as_likely, 1, lines.freedom());
+  double best_counts = 0, told_alone = 0;  // of the best one; of an even law that means show, as if it were alone
   for (const Explained& one : explained) {
     const double gain = without.squaredNorm() - one.chi_squared;
     const double counts = beyond_chance(gain / scatter, lines.freedom(), alarm);
     const double beside_best =
         std::clamp((least_gain - (one.chi_squared - least) / scatter) / (least_gain - usual), 0.0, 1.0);
     if (!(counts > 0) || !(beside_best > 0)) continue;
-    const double seen = one.fault.shows_mean && one.fault.derivatives > 0 ? lines.weight_of_means() : 1;
+    const bool told_by_means = one.fault.shows_mean && one.fault.derivatives > 0;
+    if (told_by_means) told_alone = beside_best;
+    if (&one == &*best) best_counts = counts;
+    const double seen = told_by_means ? lines.weight_of_means() : 1;
     result.push_back({one.fault, seen * counts * beside_best});
   }
+  if (best_counts * (1 - told_alone) * lines.weight_of_means() > 0)
+    if (auto second = law_beside(lines, best->fault, alarm)) {
+      second->counts *= best_counts * (1 - told_alone) * lines.weight_of_means();
+      result.push_back(*second);
+    }
   return result;
 }
 
