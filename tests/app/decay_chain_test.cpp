@@ -117,6 +117,20 @@ TEST(DecayChain, EvenLawBehindACouplingIsToldByMeans) {
   }
 }
 
+// Harmonics show a coupling, and means an amplifier behind it.
+TEST(DecayChain, EvenLawIsDoubtedBesideAHighPass) {
+  const SimulatedCampaign made = lopsided_decays(11);
+  const double largest = testing_support::largest_response(made);
+  const Identification id = identified_by_chain(made, [&](std::vector<double>& y, std::size_t) {
+    pass_coupling(y, 5 / 125.66);
+    for (double& sample : y) sample *= 1 + 0.005 * sample / largest;
+  });
+  EXPECT_TRUE(warns(id.estimate.warnings, "high-pass of"));
+  EXPECT_TRUE(warns(id.estimate.warnings, "which means show"));
+  expect_truth_or_doubt(id);
+  EXPECT_TRUE(value_of(id.estimate, "a2").doubtful);
+}
+
 TEST(DecayChain, EvenLawIsToldByMeans) {
   const SimulatedCampaign made = lopsided_decays(11);
   const double largest = testing_support::largest_response(made);
