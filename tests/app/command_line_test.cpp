@@ -262,8 +262,8 @@ TEST_F(CommandLine, PredictWritesResponsesOrNothing) {
   EXPECT_NE(text_of(fs::path(out) / "response.svg").find("<svg"), std::string::npos);
   EXPECT_NE(text_of(fs::path(out) / "prediction.csv").find("branch,kind,Omega,stable,amplitude_v"),
             std::string::npos);
-  const Outcome curve =
-      run(shipped + "--vary Omega 24.3 25.1 --against F 15 30 --curve saddle_node --hz --json --force");
+  const Outcome curve = run(
+      shipped + "--vary Omega 24.3 25.1 --against F 15 30 --curve saddle_node --largest 2e-3 --hz --json --force");
   EXPECT_EQ(curve.status, 0) << curve.errors;
   EXPECT_GT(nlohmann::json::parse(curve.output)["curves"][0]["points"].size(), 10u);
   const Outcome combination =

@@ -292,17 +292,17 @@ TEST(PoleSupport, AMotionWhoseRecordsAreUnequallyNoisyIsOne) {
   int one = 0;
   for (int run = 0; run < runs; ++run) {
     FreeMotions motions = motions_of({}, 2, gaussian);
-    const Index rows = motions.samples.rows();
-    for (Index record = 0; record < 2; ++record) {
+    const Eigen::Index rows = motions.samples.rows();
+    for (Eigen::Index record = 0; record < 2; ++record) {
       const double begin = record == 0 ? 1 : 0.5, noise = record == 0 ? 0.05 : 0.005;
-      for (Index i = 0; i < rows; ++i) {
+      for (Eigen::Index i = 0; i < rows; ++i) {
         const double t = static_cast<double>(i) / motions.sample_rate_hz;
         // a' = (g + c a) a, and the integral of a is that of a' / (g + c a).
         const double shrink = std::exp(growth * t), of_law = law.real() * begin / growth;
         const double below = 1 + of_law * (1 - shrink), a = begin * shrink / below;
         const double integral = std::log(below) / -law.real();
         const double phase = turning * t + law.imag() * integral;
-        for (Index c = 0; c < 2; ++c)
+        for (Eigen::Index c = 0; c < 2; ++c)
           motions.samples(i, 2 * record + c) = (c == 0 ? 1 : 0.6) * a * std::cos(phase) + noise * gaussian();
       }
     }
