@@ -8,12 +8,14 @@
 #include <optional>
 #include <utility>
 
+#include "jobs/predict/largest_response.hpp"
 #include "jobs/predict/measured_points.hpp"
 #include "jobs/predict/prediction_inputs.hpp"
 #include "jobs/predict/prediction_spread.hpp"
 #include "jobs/predict/range_marks.hpp"
 #include "jobs/predict/simulated_sweep.hpp"
 #include "jobs/shared/model_loading.hpp"
+#include "motion/response/response_peaks.hpp"
 #include "numerics/in_parallel.hpp"
 #include "report/number_format.hpp"
 
@@ -95,9 +97,11 @@ void say_special_points_once(ResponseDiagram& diagram) {
 void add_diagram(const PredictionRequest& request, const ResponseField& field, const ResponseRequest& response,
                  RangeMarks& range, const SweepProgress& progress, Prediction& prediction) {
   prediction.diagram = response_diagram(field, response);
+  add_peaks(field, response, prediction.diagram);
   say_special_points_once(prediction.diagram);
   range.mark_diagram(response);
   spread_diagram(field, response, request.threads, prediction);
+  prediction.largest = largest_responses(prediction);
   if (prediction.diagram.status != DiagramStatus::complete)
     prediction.warnings.push_back("some responses may be missing: " + prediction.diagram.reason);
   if (!request.measured.empty()) prediction.measured = measured_points(request, prediction, prediction.warnings);

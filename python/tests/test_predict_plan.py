@@ -59,6 +59,11 @@ def test_a_duffing_response_is_the_textbook_s():
             assert math.isclose(left, force**2 / (4 * omega0**2), rel_tol=1e-6)
             checked += 1
     assert checked > 20
+    top, = found.largest
+    assert top.kind == "peak" and top.mode == "x" and top.amplitude_sd is None
+    assert math.isclose(top.amplitude, force / (2 * mu * omega0), rel_tol=1e-12)
+    assert math.isclose(top.parameter, omega0 + 3 * alpha * top.amplitude**2 / (8 * omega0), rel_tol=1e-10)
+    assert "largest of x" in repr(found) and "largest of x" in found._repr_html_()
     backbone, = secular.predict(DUFFING, numbers, case="free", largest=0.5).backbones
     assert np.allclose(backbone.frequency, omega0 + 3 * alpha * backbone.amplitude**2 / (8 * omega0), rtol=1e-12)
     assert np.allclose(backbone.growth, -mu, rtol=1e-12) and backbone.amplitude[-1] == pytest.approx(0.5)
