@@ -149,6 +149,29 @@ TEST_F(PredictionBands, RefuseWhatIsNoCovariance) {
   EXPECT_TRUE(has(result().at("no_error_bars_because").get<std::string>(), "entries that are no numbers"));
 }
 
+// A coefficient of |v'|v' that is not significant makes the branch turn back at 4e-7 m, next to the threshold: that
+// is not told apart, and the threshold is said once, with the state of rest. One that is large turns it back in
+// earnest.
+TEST_F(PredictionBands, AThresholdHasNoTwin) {
+  const auto kinds = [&](const char* mu2) {
+    predicted(
+        std::string("two_mass_mode1 --case principal_parametric --parameters predictions/table_5_4 --at F=22.55 "
+                    "--vary Omega 24.3 25.1 --hz --at mu2=") +
+        mu2);
+    std::map<std::string, int> found;
+    const json all = result();
+    for (const json& branch : all.at("branches"))
+      for (const json& special : branch.at("special_points")) ++found[special.at("kind").get<std::string>()];
+    return found;
+  };
+  const std::map<std::string, int> usual = {{"saddle_node", 1}, {"threshold", 2}};
+  EXPECT_EQ(kinds("0"), usual);
+  EXPECT_EQ(kinds("1e-3"), usual);
+  EXPECT_EQ(kinds("-1e-3"), usual);
+  const std::map<std::string, int> turned = {{"saddle_node", 2}, {"threshold", 2}};
+  EXPECT_EQ(kinds("1"), turned);
+}
+
 // The largest amplitude of a duffing oscillator that stiffens is next to its fold. Its error bars are those of
 // whole runs with parameters moved, and it does not hang on the range, which the points of the curve do.
 TEST_F(PredictionBands, TheLargestAmplitudeIsPolishedAndHasErrorBarsBesideFolds) {
