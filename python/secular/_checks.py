@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import functools
 import math
 import numbers
@@ -189,7 +190,9 @@ def pair(argument: str, value) -> Tuple[float, float]:
 
 def one_of(argument: str, value, *words: str) -> str:
     if not isinstance(value, str) or value not in words:
-        raise refused(argument, shown(value), "give " + " or ".join(repr(word) for word in words))
+        near = difflib.get_close_matches(value.lower(), words, 1) if isinstance(value, str) else []
+        raise refused(argument, shown(value), "give " + " or ".join(repr(word) for word in words)
+                      + (f"; did you mean {near[0]!r}?" if near else ""))
     return value
 
 
