@@ -83,6 +83,16 @@ def path(argument: str, value) -> str:
     return os.fsdecode(value)
 
 
+def new_file(argument: str, value) -> str:
+    """A path where no file stands, in a folder that does."""
+    name = path(argument, value)
+    if os.path.lexists(name):
+        raise refused(argument, f"{name} exists", "name a new file")
+    if not os.path.isdir(os.path.dirname(name) or "."):
+        raise refused(argument, f"the folder of {name} does not exist", "make it, or name another file")
+    return name
+
+
 def numbers_by_symbol(argument: str, value) -> dict[str, float]:
     if value is None:
         return {}

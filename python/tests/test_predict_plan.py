@@ -59,6 +59,9 @@ def test_a_duffing_response_is_the_textbook_s():
             assert math.isclose(left, force**2 / (4 * omega0**2), rel_tol=1e-6)
             checked += 1
     assert checked > 20
+    cut, = found.largest
+    assert cut.kind == "range_end" and cut.parameter == 10.1
+    found = secular.predict(DUFFING, numbers, case="primary", at={"F": force}, vary=("Omega", 9.95, 10.3))
     top, = found.largest
     assert top.kind == "peak" and top.mode == "x" and top.amplitude_sd is None
     assert math.isclose(top.amplitude, force / (2 * mu * omega0), rel_tol=1e-12)
