@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "input/toml_table.hpp"
 #include "perturb/automatic_order.hpp"
 #include "perturb/formula_value.hpp"
@@ -376,12 +377,15 @@ std::string ResonanceCase::place() const {
 }
 
 const ResonanceCase& Model::find_case(const std::string& wanted) const {
-  std::string names;
+  std::vector<std::string> names;
+  std::string listed;
   for (const ResonanceCase& resonance : cases) {
     if (resonance.name == wanted) return resonance;
-    names += (names.empty() ? "" : ", ") + resonance.name;
+    names.push_back(resonance.name);
+    listed += (listed.empty() ? "" : ", ") + resonance.name;
   }
-  throw InputError(file, "", "has no case '" + wanted + "'", "its cases are " + names);
+  throw InputError(file, "", "has no case '" + wanted + "'",
+                   remedy_for_word("its cases are " + listed, wanted, names));
 }
 
 const std::string& Model::frequency_name(std::size_t index) const {

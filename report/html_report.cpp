@@ -252,9 +252,11 @@ void HtmlReport::drawing(std::string_view svg, std::string_view title, std::stri
 
 void HtmlReport::add_figure(const RenderedFigure& drawn, std::string_view title, std::string_view caption) {
   body_ += fmt::format(
-      "<figure>\n<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Figure {0}: "
+      "<figure>\n<div class=\"scroll\" id=\"drawn-{0}\" role=\"region\" tabindex=\"0\" aria-label=\"Figure {0}: "
       "{1}\"{4}>\n{2}</div>\n"
-      "<figcaption><strong>Figure {0}.</strong> {3}</figcaption>\n</figure>\n",
+      "<figcaption><strong>Figure {0}.</strong> {3} <span class=\"size\" id=\"size-{0}\"><a class=\"large\" "
+      "href=\"#drawn-{0}\">Enlarge</a><a class=\"whole\" href=\"#size-{0}\">Show it whole</a></span></figcaption>\n"
+      "</figure>\n",
       ++figures_, escape_markup_line(title), drawn.svg, escape_markup(caption),
       drawn.points.empty() ? "" : fmt::format(" data-plot=\"{}\"", escape_markup_line(drawn.points)));
 }

@@ -69,6 +69,14 @@ figure { margin: 22px 0; break-inside: avoid; }
 figure .scroll { margin: 0; max-width: 900px; }
 figure svg { display: block; width: 100%; height: auto; max-width: var(--width); min-width: min(560px, var(--width)); }
 figure svg.fine { min-width: calc(0.9*var(--width)); }
+.size { display: none; }
+@media screen and (max-width: 640px) {
+  main { padding: 28px 16px 44px; }
+  figure .scroll:not(:target) svg, figure .scroll:not(:target) svg.fine { min-width: 0; }
+  .size { display: inline; white-space: nowrap; } .size a { color: var(--accent); text-decoration: none; }
+  .size .whole, .scroll:target ~ figcaption .large { display: none; }
+  .scroll:target ~ figcaption .whole { display: inline; }
+}
 .mark { fill: none; stroke: currentColor; stroke-width: 2; }
 .values { display: block; min-height: 1.6em; font-size: 13.5px; color: var(--soft); font-variant-numeric: tabular-nums; }
 figcaption { font-size: 14px; color: var(--soft); margin-top: 6px; max-width: 80ch; }

@@ -25,6 +25,7 @@
 #include "jobs/identify/identification_report.hpp"
 #include "jobs/identify/scatter_output.hpp"
 #include "jobs/shared/left_out.hpp"
+#include "numerics/hertz.hpp"
 #include "report/number_format.hpp"
 
 namespace secular::app {
@@ -64,18 +65,26 @@ void print_following(const Identification& id) {
                f.doubtful ? " doubtful" : "");
 }
 
-void print_value(const EstimatedValue& v) {
+// `in_hertz`: of a natural frequency, which is said in Hz too.
+void print_value(const EstimatedValue& v, bool in_hertz = false) {
   if (v.fixed)
     fmt::print("  {:<12} {:>20} {:<14} given\n", v.name, report::format_number(*v.value, 6), v.unit);
   else if (v.value)
-    fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
+    fmt::print("  {:<12} {:>20} {:<14} sd {} %{}{}{}\n", v.name, report::format_uncertain(*v.value, v.sd), v.unit,
                report::format_number(100 * v.sd / std::abs(*v.value), 2), v.significant ? "" : ", not significant",
-               v.doubtful ? ", doubtful" : "");
+               v.doubtful ? ", doubtful" : "",
+               in_hertz ? ", " + report::format_uncertain(*v.value * to_hz, v.sd * to_hz) + " Hz" : "");
   else {
     std::string with;
     for (const std::string& other : v.entangled_with) with += (with.empty() ? "" : ", ") + other;
     fmt::print("  {:<12} {:>20} {}\n", v.name, "not identifiable", with.empty() ? "" : "entangled with " + with);
   }
+}
+
+// Natural frequencies are the first of a model's symbols.
+void print_parameters(const Identification& id) {
+  const std::vector<EstimatedValue>& all = id.estimate.parameters;
+  for (std::size_t p = 0; p < all.size(); ++p) print_value(all[p], p < id.model->modes());
 }
 
 void print_not_separated(const Estimate& estimate) {
@@ -100,7 +109,7 @@ void print_full_summary(const Identification& id, const std::string& folder) {
                : fit.significant    ? ", the model does not hold"
                                     : ", nothing wrong");
     fmt::print("parameters\n");
-    for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
+    print_parameters(id);
     print_following(id);
     print_not_separated(id.estimate);
   } else {
@@ -116,7 +125,7 @@ void print_summary(const Identification& id, const std::string& folder) {
     fmt::print("model {}, case {}: {} observations\n", id.model->name, set.resonance->name,
                set.observations.size());
   fmt::print("parameters{}\n", id.refinement ? ", " + text_of(*id.refinement) : "");
-  for (const EstimatedValue& v : id.estimate.parameters) print_value(v);
+  print_parameters(id);
   for (const std::string& line : scatter_lines(id.estimate)) fmt::print("  {}\n", line);
   print_following(id);
   fmt::print("lumps\n");

@@ -93,6 +93,16 @@ void print_summary(const Prediction& prediction, const std::vector<report::Named
       fmt::print("{}\n", line);
     }
   }
+  for (const LargestResponse& largest : prediction.largest) {
+    std::optional<double> place_sd = largest.parameter_sd;
+    if (place_sd) *place_sd /= prediction.axis;
+    fmt::print("largest stable response of {}: amplitude {}{} at {} = {}{}\n",
+               prediction.model->coordinates[largest.mode],
+               uncertain_number(largest.amplitude, largest.amplitude_sd, 4),
+               prediction.coordinate_unit.empty() ? "" : " " + prediction.coordinate_unit, prediction.vary->name,
+               uncertain_number(largest.parameter / prediction.axis, place_sd, 6),
+               prediction.axis_unit.empty() ? "" : " " + prediction.axis_unit);
+  }
   for (std::size_t k = 0; k < prediction.backbones.size(); ++k) {
     const auto& [mode, points] = prediction.backbones[k];
     fmt::print("backbone of {}: {} Hz at rest, {} Hz at amplitude {}\n", mode,

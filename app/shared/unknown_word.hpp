@@ -1,15 +1,9 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace secular::app {
-
-/// That of `known` which `word` is a slip of, if there is one: nearest by letters added, left out, exchanged or
-/// swapped with their neighbour (Damerau 1964, of adjacent swaps), not more than a third of the word.
-std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// As it is typed, with all commands above it.
 std::string full_name(const CLI::App& command);

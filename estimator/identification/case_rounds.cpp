@@ -5,6 +5,7 @@
 
 #include "estimator/identification/estimation.hpp"
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 
 namespace secular {
 namespace {
@@ -47,10 +48,12 @@ std::string cases_in_use(const Estimation& e) {
 
 void check_fixed(Estimation& e) {
   for (const auto& [name, value] : e.options.fixed) {
+    std::vector<std::string> names;
     std::string known;
     bool found = false;
     for (const CompiledSymbol& symbol : e.model.symbols) {
-      known += (known.empty() ? "" : ", ") + std::string(symbol.name);
+      names.emplace_back(symbol.name);
+      known += (known.empty() ? "" : ", ") + names.back();
       found = found || symbol.name == name;
     }
     if (found || is_lump_of(e.sets, name)) continue;
@@ -64,7 +67,7 @@ void check_fixed(Estimation& e) {
     throw InputError(
         "--fix " + name, "", "is no symbol of model " + std::string(e.model.name) + lump,
         (lump.empty() ? "" : "a lump is given as CASE:NAME=VALUE, or the parameters that make it are; ") +
-            ("its symbols are " + known));
+            remedy_for_word("its symbols are " + known, name, names));
   }
   e.given.assign(e.model.symbols.size(), false);
   for (std::size_t p = 0; p < e.given.size(); ++p)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "input/numerical_failure.hpp"
 #include "jobs/shared/compared_records.hpp"
 #include "jobs/shared/model_loading.hpp"
@@ -45,9 +46,10 @@ std::vector<std::size_t> fitted_symbols(const CompiledModel& model, const std::m
   for (const CompiledSymbol& symbol : model.symbols) names.emplace_back(symbol.name);
   for (const auto& [name, value] : fixed)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw InputError(
-          "--fix " + name, "", "is no symbol of model " + std::string(model.name),
-          fmt::format("one of {} is expected (lumps are of the modulation equations)", fmt::join(names, ", ")));
+      throw InputError("--fix " + name, "", "is no symbol of model " + std::string(model.name),
+                       remedy_for_word(fmt::format("one of {} is expected (lumps are of the modulation equations)",
+                                                   fmt::join(names, ", ")),
+                                       name, names));
   return fitted;
 }
 

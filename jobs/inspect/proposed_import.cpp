@@ -212,10 +212,17 @@ std::string table_columns(const FileInspection& file, const std::string& frequen
 
 std::string proposed_import(const std::filesystem::path& path, const FileInspection& file) {
   const RecordPatterns patterns(file);
+  // A channel that stands still, as a thermometer beside a test, is no channel of it.
+  const auto stands_still = [](const VariableInspection* variable) {
+    return variable->quality->maximum == variable->quality->minimum;
+  };
+  std::vector<const VariableInspection*> channels_shown = channels_in(file);
+  if (!std::all_of(channels_shown.begin(), channels_shown.end(), stands_still))
+    std::erase_if(channels_shown, stands_still);
   std::vector<std::string> variables;
   std::vector<const VariableInspection*> shown;
   std::set<std::string> seen = {patterns.of(file.time)};
-  for (const VariableInspection* variable : channels_in(file))
+  for (const VariableInspection* variable : channels_shown)
     if (const std::string pattern = patterns.of(variable->name); seen.insert(pattern).second) {
       variables.push_back(pattern);
       shown.push_back(variable);

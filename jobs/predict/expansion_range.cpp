@@ -13,6 +13,9 @@ using Eigen::VectorXd;
 /// A motion by this share of itself is as good as linear: what is not is quadratic at least.
 constexpr double small = 1e-3;
 
+/// Shares of a natural frequency by which rounding of balances moves a rate.
+constexpr double rounding = 1e-10;
+
 }  // namespace
 
 bool ExpansionRange::excludes(const VectorXd& parameters, const Amplitudes& amplitude) const {
@@ -86,7 +89,9 @@ std::optional<double> ExpansionRange::rest_shift(const VectorXd& parameters, con
   const std::optional<Amplitudes> with = linear_remainder(parameters, amplitude),
                                   without = linear_remainder(without_loads(parameters, amplitude), amplitude);
   if (!with || !without) return std::nullopt;
-  double shift = 0, lacking = 0;
+  const auto modes = static_cast<Index>(amplitude.size());
+  // Natural frequencies are the first symbols.
+  double shift = 0, lacking = rounding * parameters.head(modes).cwiseAbs().maxCoeff();
   for (std::size_t k = 0; k < amplitude.size(); ++k) {
     if (amplitude[k] == 0.0) continue;
     shift = std::max(shift, std::abs(((*with)[k] - (*without)[k]) / amplitude[k]));

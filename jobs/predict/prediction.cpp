@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <complex>
 #include <optional>
 #include <utility>
 
+#include "jobs/predict/largest_response.hpp"
 #include "jobs/predict/measured_points.hpp"
 #include "jobs/predict/prediction_inputs.hpp"
 #include "jobs/predict/prediction_spread.hpp"
 #include "jobs/predict/range_marks.hpp"
 #include "jobs/predict/simulated_sweep.hpp"
 #include "jobs/shared/model_loading.hpp"
+#include "motion/response/response_peaks.hpp"
 #include "numerics/in_parallel.hpp"
 #include "report/number_format.hpp"
 
@@ -24,6 +27,9 @@ constexpr int backbone_points = 200;
 
 /// A backbone is drawn so many times as far as its largest limit cycle.
 constexpr double beyond_cycles = 1.1;
+
+/// Share of the range within which places are one.
+constexpr double same_place = 1e-6;
 
 void add_backbones(const PredictionRequest& request, const ResponseField& field, RangeMarks& range,
                    Prediction& prediction) {
@@ -78,16 +84,37 @@ bool differ_in_phase_alone(const ResponseSpecial& a, const ResponseSpecial& b, d
   return true;
 }
 
+// Where a branch leaves the state of rest its amplitude grows with the root of the distance from there: a
+// saddle-node that is nearer than that on both scales, as a small coefficient of |x'|x' makes one, is the threshold
+// to whoever reads the list. So is the threshold itself, where the branch passes it.
+bool is_threshold(const ResponseSpecial& special, const ResponseSpecial& threshold, double range, double scale) {
+  if (!special.at.at_rest && special.kind != SpecialKind::saddle_node) return false;
+  double largest = 0;
+  for (const std::complex<double>& amplitude : special.at.modes.amplitude)
+    largest = std::max(largest, std::abs(amplitude));
+  return std::abs(special.at.parameter - threshold.at.parameter) < same_place * range &&
+         largest < std::sqrt(same_place) * scale;
+}
+
 // A closed branch passes through solutions that differ in phase alone one behind the other: special points of all
-// of them are one.
-void say_special_points_once(ResponseDiagram& diagram) {
+// of them are one. Thresholds are said with the state of rest, where that is a branch.
+void say_special_points_once(ResponseDiagram& diagram, double range) {
+  std::vector<ResponseSpecial> thresholds;
+  for (const ResponseBranch& branch : diagram.branches)
+    if (branch.at_rest) thresholds.insert(thresholds.end(), branch.special.begin(), branch.special.end());
   for (ResponseBranch& branch : diagram.branches) {
     std::vector<ResponseSpecial> once;
-    for (ResponseSpecial& special : branch.special)
-      if (std::none_of(once.begin(), once.end(), [&](const ResponseSpecial& said) {
-            return differ_in_phase_alone(said, special, diagram.scale);
-          }))
+    for (ResponseSpecial& special : branch.special) {
+      const auto is_said = [&](const ResponseSpecial& said) {
+        return differ_in_phase_alone(said, special, diagram.scale);
+      };
+      const auto is_at = [&](const ResponseSpecial& threshold) {
+        return !branch.at_rest && is_threshold(special, threshold, range, diagram.scale);
+      };
+      if (std::none_of(once.begin(), once.end(), is_said) &&
+          std::none_of(thresholds.begin(), thresholds.end(), is_at))
         once.push_back(std::move(special));
+    }
     branch.special = std::move(once);
   }
 }
@@ -95,9 +122,11 @@ void say_special_points_once(ResponseDiagram& diagram) {
 void add_diagram(const PredictionRequest& request, const ResponseField& field, const ResponseRequest& response,
                  RangeMarks& range, const SweepProgress& progress, Prediction& prediction) {
   prediction.diagram = response_diagram(field, response);
-  say_special_points_once(prediction.diagram);
+  add_peaks(field, response, prediction.diagram);
+  say_special_points_once(prediction.diagram, response.upper - response.lower);
   range.mark_diagram(response);
   spread_diagram(field, response, request.threads, prediction);
+  prediction.largest = largest_responses(prediction);
   if (prediction.diagram.status != DiagramStatus::complete)
     prediction.warnings.push_back("some responses may be missing: " + prediction.diagram.reason);
   if (!request.measured.empty()) prediction.measured = measured_points(request, prediction, prediction.warnings);

@@ -63,6 +63,24 @@ struct MeasuredPoint {
   std::vector<double> spread;     ///< [mode] standard deviation between ensembles
 };
 
+/// What ends the rise of an amplitude at its largest value over what is varied.
+enum class LargestAt {
+  peak,           ///< the amplitude is level there
+  range_end,      ///< of what is varied
+  stability_end,  ///< a special point: beyond it the response is unstable
+  search_end      ///< the expansion's range, or how far responses were looked for
+};
+
+/// The largest stable response of one mode within the expansion's range.
+struct LargestResponse {
+  std::size_t mode = 0;
+  LargestAt kind = LargestAt::peak;
+  double parameter = 0;                              ///< of what is varied
+  double amplitude = 0;                              ///< peak
+  std::optional<double> parameter_sd, amplitude_sd;  ///< one standard deviation; of `peak` both, of `range_end` the
+                                                     ///< latter, where there are error bars and first order holds
+};
+
 /// Everything that a run of `predict` found, before it is written.
 struct Prediction {
   std::shared_ptr<const CompiledModel> model;
@@ -75,6 +93,7 @@ struct Prediction {
   double axis = 1, against_axis = 1;  ///< of a printed value to the parameter's: 2 pi where Hz is printed
   std::string axis_unit, against_unit;
   ResponseDiagram diagram;
+  std::vector<LargestResponse> largest;  ///< by moving mode, those that have a stable response but rest
   std::vector<ResponseCurve> curves;
   std::vector<std::pair<std::string, std::vector<BackbonePoint>>> backbones;
   std::vector<std::vector<LimitCycle>> limit_cycles;  ///< by backbone

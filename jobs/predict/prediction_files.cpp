@@ -100,6 +100,36 @@ Json diagram_json(const Prediction& prediction) {
   return result;
 }
 
+std::string_view word_of(LargestAt kind) {
+  switch (kind) {
+    case LargestAt::peak:
+      return "peak";
+    case LargestAt::range_end:
+      return "range_end";
+    case LargestAt::stability_end:
+      return "stability_end";
+    case LargestAt::search_end:
+      return "search_end";
+  }
+  return "";
+}
+
+Json largest_json(const Prediction& prediction) {
+  Json result = Json::array();
+  for (const LargestResponse& largest : prediction.largest) {
+    Json entry;
+    entry["mode"] = prediction.model->coordinates[largest.mode];
+    entry["kind"] = word_of(largest.kind);
+    const std::string& name = prediction.vary->name;
+    put_parameter(entry, name, largest.parameter, prediction.axis_unit);
+    if (largest.parameter_sd) put_parameter(entry, name + "_sd", *largest.parameter_sd, prediction.axis_unit);
+    entry["amplitude"] = largest.amplitude;
+    if (largest.amplitude_sd) entry["amplitude_sd"] = *largest.amplitude_sd;
+    result.push_back(std::move(entry));
+  }
+  return result;
+}
+
 Json sweeps_json(const Prediction& prediction) {
   Json result = Json::array();
   for (const PredictedSweep& sweep : prediction.sweeps) {
@@ -287,6 +317,7 @@ std::string prediction_json(const Prediction& prediction) {
   if (prediction.vary && !prediction.against) {
     result["complete"] = prediction.diagram.status == DiagramStatus::complete;
     result["reason"] = prediction.diagram.reason;
+    result["largest"] = largest_json(prediction);
     result["branches"] = diagram_json(prediction);
   }
   if (prediction.against) result["curves"] = curves_json(prediction);

@@ -12,6 +12,7 @@
 
 #include "estimator/model/locked_excitations.hpp"
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "jobs/predict/prediction_spread.hpp"
 #include "jobs/predict/prediction_units.hpp"
 #include "jobs/shared/number_file.hpp"
@@ -233,7 +234,8 @@ Index index_of(const Prediction& prediction, const std::string& name) {
   const auto found = std::find(prediction.names.begin(), prediction.names.end(), name);
   if (found == prediction.names.end())
     throw InputError(name, "", "is no parameter of model " + std::string(prediction.model->name),
-                     fmt::format("its parameters are {}", fmt::join(prediction.names, ", ")));
+                     remedy_for_word(fmt::format("its parameters are {}", fmt::join(prediction.names, ", ")), name,
+                                     prediction.names));
   return found - prediction.names.begin();
 }
 

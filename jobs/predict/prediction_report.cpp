@@ -440,17 +440,20 @@ void add_limit_cycles(report::HtmlReport& page, const Prediction& prediction) {
   if (!table.rows.empty()) page.table(table);
 }
 
-// Of the largest amplitude, which is that at a fixed parameter where the curve is level. Beside a fold it is not,
-// and what is computed at the nearest point hangs on where that lies: nothing where neighbours tell another than to
-// the two digits that are printed.
-std::optional<double> sd_of_largest(const ResponseBranch& branch, std::size_t i, std::size_t mode) {
-  const std::optional<double> own = amplitude_sd(branch.points[i], mode);
-  for (const std::size_t beside : {i - 1, i + 1}) {
-    if (beside >= branch.points.size()) continue;
-    const std::optional<double> other = amplitude_sd(branch.points[beside], mode);
-    if (!own || !other || std::abs(*other - *own) > 0.1 * *own) return std::nullopt;
-  }
-  return own;
+// What its first sentence says of the largest stable response.
+std::string sentence_of_largest(const Prediction& prediction, const LargestResponse& largest,
+                                const std::string& range) {
+  std::optional<double> place_sd = largest.parameter_sd;
+  if (place_sd) *place_sd /= prediction.axis;
+  const char* end = "";
+  if (largest.kind == LargestAt::range_end) end = ", where the range ends";
+  if (largest.kind == LargestAt::stability_end) end = ", where it ceases to be stable";
+  if (largest.kind == LargestAt::search_end) end = ", beyond which it was not followed";
+  return fmt::format(
+      "Over {} the stable response of {} is largest at {}{}, with a peak amplitude of {}", range,
+      prediction.model->coordinates[largest.mode],
+      with_unit(uncertain_number(largest.parameter / prediction.axis, place_sd, 6), prediction.axis_unit), end,
+      with_unit(uncertain_number(largest.amplitude, largest.amplitude_sd, 3), prediction.coordinate_unit));
 }
 
 std::string verdict_of(const Prediction& prediction) {
@@ -477,41 +480,27 @@ std::string verdict_of(const Prediction& prediction) {
         prediction.curves.size() == 1 ? "curve of special points was" : "curves of special points were",
         prediction.against->name);
   const std::size_t mode = moving_modes(prediction).front();
-  double largest = 0, where = 0, least_beyond = std::numeric_limits<double>::infinity();
-  std::optional<double> largest_sd;
+  double least_beyond = std::numeric_limits<double>::infinity();
   std::size_t changes = 0;
   for (const ResponseBranch& branch : prediction.diagram.branches) {
     changes += branch.special.size();
-    for (std::size_t i = 0; i < branch.points.size(); ++i) {
-      const ResponsePoint& at = branch.points[i];
-      const double amplitude = peak_amplitude(at.modes, mode);
-      if (at.unstable > 0 || at.at_rest) continue;
-      if (at.outside) least_beyond = std::min(least_beyond, amplitude);
-      if (at.outside || amplitude <= largest) continue;
-      largest = amplitude;
-      where = at.parameter / prediction.axis;
-      largest_sd = sd_of_largest(branch, i, mode);
-    }
+    for (const ResponsePoint& at : branch.points)
+      if (at.unstable == 0 && !at.at_rest && at.outside)
+        least_beyond = std::min(least_beyond, peak_amplitude(at.modes, mode));
   }
   const std::string name(prediction.model->coordinates[mode]);
   const std::string change = changes == 0
                                  ? "its stability does not change"
                                  : "responses appear, vanish or change their stability at the marked points";
-  if (largest == 0 && std::isfinite(least_beyond))
+  if (!prediction.largest.empty() && prediction.largest.front().mode == mode)
+    return sentence_of_largest(prediction, prediction.largest.front(), range) + "; " + change + ".";
+  if (std::isfinite(least_beyond))
     return fmt::format(
         "Over {} every stable response of {} but rest lies outside of the range of the expansion (peak amplitudes "
         "of {} and more), where its numbers are not to be relied upon; {}.",
         range, name, report::format_number(least_beyond, 3), change);
-  if (largest == 0)
-    return fmt::format("Over {} no stable response of {} but rest was found; {}.", range, name, change);
-  return fmt::format("Over {} the stable response of {} is largest at {}{}, with a peak amplitude of {}; {}.",
-                     range, name, report::format_number(where, 6), unit,
-                     with_unit(uncertain_number(largest, largest_sd, 3), prediction.coordinate_unit), change);
+  return fmt::format("Over {} no stable response of {} but rest was found; {}.", range, name, change);
 }
-
-}  // namespace
-
-namespace {
 
 std::string caption_of_band(const Prediction& prediction) {
   return prediction.uncertain.empty()

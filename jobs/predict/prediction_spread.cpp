@@ -110,7 +110,10 @@ void spread_diagram(const ResponseField& field, const ResponseRequest& response,
     for (ResponseSpecial& point : branch.special)
       if (!point.at.outside) special.push_back(&point);
   }
-  in_parallel(points.size(), threads, [&](std::size_t i) { points[i]->spread = spread.of(*points[i]); });
+  in_parallel(points.size(), threads, [&](std::size_t i) {
+    points[i]->spread = spread.of(*points[i]);
+    points[i]->place_sd = spread.of_peak(*points[i]);
+  });
   in_parallel(special.size(), threads, [&](std::size_t i) {
     special[i]->sd = spread.of(*special[i]);
     special[i]->at.spread = spread.of(special[i]->at);

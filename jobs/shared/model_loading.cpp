@@ -11,6 +11,7 @@
 #include "estimator/model/by_name.hpp"
 #include "generated/registry.hpp"
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "jobs/shared/install_layout.hpp"
 #include "jobs/shared/shipped_models.hpp"
 #include "perturb/model.hpp"
@@ -98,14 +99,14 @@ void ModelSource::outline_text() {
 
 const std::string& ModelSource::case_named(const std::string& wanted) const {
   if (wanted.empty() && cases_.size() == 1) return cases_.front().name;
-  std::string known;
+  std::vector<std::string> names;
   for (const CaseOutline& outline : cases_) {
     if (outline.name == wanted) return outline.name;
-    known += (known.empty() ? "" : ", ") + outline.name;
+    names.push_back(outline.name);
   }
-  if (wanted.empty())
-    throw InputError("--case", "", "is missing: model " + name_ + " has several", "its cases are " + known);
-  throw InputError("--case " + wanted, "", "is no case of model " + name_, "its cases are " + known);
+  const std::string known = fmt::format("its cases are {}", fmt::join(names, ", "));
+  if (wanted.empty()) throw InputError("--case", "", "is missing: model " + name_ + " has several", known);
+  throw InputError("--case " + wanted, "", "is no case of model " + name_, remedy_for_word(known, wanted, names));
 }
 
 LoadedCase ModelSource::load_case(const std::string& wanted) const {

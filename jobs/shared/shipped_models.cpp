@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "jobs/shared/install_layout.hpp"
 
 namespace secular {
@@ -21,6 +22,20 @@ bool is_file(const fs::path& path) {
 }
 
 fs::path folder_that_was_set;
+
+// Names of the files in a folder of the shipped ones, as they are typed.
+std::vector<std::string> shipped_in(const fs::path& below) {
+  std::vector<std::string> names;
+  for (const fs::path& folder : model_folders()) {
+    std::error_code unreadable;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / below, unreadable))
+      if (entry.path().extension() == ".toml" && is_file(entry.path()))
+        names.push_back((below / entry.path().stem()).string());
+    if (!unreadable) break;
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 }  // namespace
 
@@ -45,16 +60,7 @@ std::vector<fs::path> model_folders() {
 }
 
 std::vector<std::string> shipped_models() {
-  std::vector<std::string> names;
-  for (const fs::path& folder : model_folders()) {
-    std::error_code unreadable;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable))
-      if (entry.path().extension() == ".toml" && is_file(entry.path()))
-        names.push_back(entry.path().stem().string());
-    if (!unreadable) break;
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+  return shipped_in("");
 }
 
 fs::path resolve_model(const std::string& name_or_path) {
@@ -64,10 +70,15 @@ fs::path resolve_model(const std::string& name_or_path) {
       const fs::path file = folder / (name_or_path + ".toml");
       if (is_file(file)) return file;
     }
-  const std::vector<std::string> names = shipped_models();
-  throw InputError(name_or_path, "", "neither a file nor the name of a shipped model",
+  const fs::path below = fs::path(name_or_path).is_relative() ? fs::path(name_or_path).parent_path() : fs::path();
+  std::vector<std::string> names = shipped_in(below);
+  const bool has_any = !names.empty();
+  if (!has_any) names = shipped_models();
+  const std::string kind = has_any && !below.empty() ? "file" : "model";
+  throw InputError(name_or_path, "", "neither a file nor the name of a shipped " + kind,
                    names.empty() ? "no shipped models were found; SECULAR_MODELS can name their folder"
-                                 : fmt::format("shipped models: {}", fmt::join(names, ", ")));
+                                 : remedy_for_word(fmt::format("shipped {}s: {}", kind, fmt::join(names, ", ")),
+                                                   name_or_path, names));
 }
 
 }  // namespace secular

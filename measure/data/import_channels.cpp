@@ -9,6 +9,7 @@
 #include <set>
 
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "measure/data/names.hpp"
 #include "measure/formats/channel_name.hpp"
 #include "measure/formats/matrix_lines.hpp"
@@ -45,8 +46,9 @@ DescribedChannel named_channel(const std::string& option, const std::string& nam
     throw InputError(option, "", fmt::format("variable {} of {} {}", described.variable, file, fault),
                      fmt::format("name one of them, as in --channel NEWNAME='{}(:,1)':...", described.variable));
   if (!find_variable(variables, described.variable))
-    throw InputError(option, "", fmt::format("{} has no variable '{}'", file, described.variable),
-                     "its variables are " + listed_names(variables));
+    throw InputError(
+        option, "", fmt::format("{} has no variable '{}'", file, described.variable),
+        remedy_for_word("its variables are " + listed_names(variables), described.variable, all_names(variables)));
   if (const std::string fault = channel_name_fault(described.channel.name); !fault.empty())
     throw InputError(option, "name", fault, "write NEWNAME=VARIABLE:ROLE:QUANTITY:UNIT to rename it");
   return described;
@@ -138,16 +140,20 @@ DescribedChannel parse_channel(const std::string& text, const Variables& variabl
   int fields = 1;
   for (std::string* field : {&unit, &quantity_text, &role_text}) {
     if (!take_last_field(name, *field))
-      throw InputError(option, "", fmt::format("has {} of four fields", fields), channel_form);
+      throw InputError(option, "", fmt::format("has {} of four fields", fields),
+                       remedy_for_word(channel_form, fields == 2 ? unit : quantity_text, words_of(role_names)));
     ++fields;
   }
   DescribedChannel described = named_channel(option, name, variables, file);
   const auto role = parse_role(role_text);
-  if (!role) throw InputError(option, "role", "is '" + role_text + "'", "excitation or response was expected");
+  if (!role)
+    throw InputError(option, "role", "is '" + role_text + "'",
+                     remedy_for_word("excitation or response was expected", role_text, words_of(role_names)));
   const auto quantity = parse_quantity(quantity_text);
   if (!quantity)
-    throw InputError(option, "quantity", "is '" + quantity_text + "'",
-                     std::string(quantity_list) + " was expected");
+    throw InputError(
+        option, "quantity", "is '" + quantity_text + "'",
+        remedy_for_word(std::string(quantity_list) + " was expected", quantity_text, words_of(quantity_names)));
   described.channel.role = *role;
   described.channel.quantity = *quantity;
   give_unit(described, unit, factor, *find_variable(variables, described.variable), option, file);

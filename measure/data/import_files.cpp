@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "measure/data/channel_times.hpp"
 #include "measure/data/import_channels.hpp"
 #include "measure/data/import_geometry.hpp"
@@ -51,7 +52,7 @@ RowChoice time_variable(const ImportOptions& options, const Variables& variables
       throw InputError("--time " + options.time, "", fmt::format("this variable of {} {}", file, fault),
                        "name one of them, or give --sample-rate HZ");
     throw InputError("--time " + options.time, "", fmt::format("{} has no such variable", file),
-                     "its variables are " + listed_names(variables));
+                     remedy_for_word("its variables are " + listed_names(variables), options.time, names));
   }
   if (options.sample_rate_hz) return {};
   if (find_variable(variables, "t")) return {"t", "", {}};
@@ -69,7 +70,9 @@ RecordKind record_kind(const std::string& text) {
                      "give --kind " + std::string(record_kind_list));
   const auto kind = parse_record_kind(text);
   if (!kind)
-    throw InputError("--kind " + text, "", "is no kind of record", std::string(record_kind_list) + " was expected");
+    throw InputError(
+        "--kind " + text, "", "is no kind of record",
+        remedy_for_word(std::string(record_kind_list) + " was expected", text, words_of(record_kind_names)));
   if (kind == RecordKind::lines) throw std::invalid_argument("import_files: tables are read by import_tables");
   return *kind;
 }

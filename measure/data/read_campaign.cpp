@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "input/input_error.hpp"
+#include "input/nearest_word.hpp"
 #include "input/toml_table.hpp"
 #include "measure/data/campaign.hpp"
 #include "measure/data/geometry_text.hpp"
@@ -21,7 +22,9 @@ namespace fs = std::filesystem;
 Frame read_frame(const TomlTable& table, const Channel& channel) {
   const std::string frame = table.string("frame");
   if (frame == "relative") return Frame::relative;
-  if (frame != "absolute") table.fail("frame", "is '" + frame + "'", "relative or absolute was expected");
+  if (frame != "absolute")
+    table.fail("frame", "is '" + frame + "'",
+               remedy_for_word("relative or absolute was expected", frame, {"relative", "absolute"}));
   if (channel.role != ChannelRole::response)
     table.fail("frame", "is absolute for an excitation", "frame belongs to responses");
   if (channel.quantity != Quantity::acceleration)
@@ -37,11 +40,15 @@ Channel read_channel(const TomlTable& table) {
   channel.name = table.string("name");
   if (const std::string fault = channel_name_fault(channel.name); !fault.empty()) table.fail("name", fault);
   const auto role = parse_role(table.string("role"));
-  if (!role) table.fail("role", "is '" + table.string("role") + "'", "excitation or response was expected");
+  if (!role)
+    table.fail("role", "is '" + table.string("role") + "'",
+               remedy_for_word("excitation or response was expected", table.string("role"), words_of(role_names)));
   channel.role = *role;
   const auto quantity = parse_quantity(table.string("quantity"));
   if (!quantity)
-    table.fail("quantity", "is '" + table.string("quantity") + "'", std::string(quantity_list) + " was expected");
+    table.fail("quantity", "is '" + table.string("quantity") + "'",
+               remedy_for_word(std::string(quantity_list) + " was expected", table.string("quantity"),
+                               words_of(quantity_names)));
   channel.quantity = *quantity;
   channel.unit = table.string("unit");
   const std::string fault = unit_fault(channel.quantity, channel.unit);
@@ -131,7 +138,9 @@ RecordEntry read_entry(const TomlTable& table, const Campaign& campaign, bool in
     table.fail("file", "'" + entry.file + "' does not exist", "a file inside the campaign folder was expected");
   const auto kind = parse_record_kind(table.string("kind"));
   if (!kind)
-    table.fail("kind", "is '" + table.string("kind") + "'", std::string(record_kind_list) + " was expected");
+    table.fail("kind", "is '" + table.string("kind") + "'",
+               remedy_for_word(std::string(record_kind_list) + " was expected", table.string("kind"),
+                               words_of(record_kind_names)));
   entry.kind = *kind;
   if (!of_lines) entry.excitation_frequency_hz = positive(table, "excitation_frequency_hz");
   if (entry.excitation_frequency_hz && *entry.excitation_frequency_hz >= 0.5 * campaign.sample_rate_hz)

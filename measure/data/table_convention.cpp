@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "input/nearest_word.hpp"
 #include "numerics/hertz.hpp"
 
 namespace secular {
@@ -11,7 +12,8 @@ TableConvention convention_of(const ConventionWords& words, const RefuseWord& re
   const auto is_one = [&](const char* word, const std::string& is, const std::string& first,
                           const std::string& second) {
     if (!is.empty() && is != first && is != second)
-      refuse(word, is, "is no convention", first + " or " + second + " was expected");
+      refuse(word, is, "is no convention",
+             remedy_for_word(first + " or " + second + " was expected", is, {first, second}));
     return is == second;
   };
   if (words.amplitudes == "rms")
@@ -19,7 +21,9 @@ TableConvention convention_of(const ConventionWords& words, const RefuseWord& re
   else if (words.amplitudes == "peak_to_peak")
     convention.amplitude = TableConvention::Amplitude::peak_to_peak;
   else if (!words.amplitudes.empty() && words.amplitudes != "peak")
-    refuse("amplitudes", words.amplitudes, "is no convention", "peak, rms or peak_to_peak was expected");
+    refuse("amplitudes", words.amplitudes, "is no convention",
+           remedy_for_word("peak, rms or peak_to_peak was expected", words.amplitudes,
+                           {"peak", "rms", "peak_to_peak"}));
   const bool degrees = is_one("phases", words.phases, "rad", "deg");
   if (!words.phases.empty()) convention.degrees = degrees;
   convention.lags = is_one("phase_sign", words.phase_sign, "lead", "lag");
@@ -28,7 +32,8 @@ TableConvention convention_of(const ConventionWords& words, const RefuseWord& re
   convention.frequency_unit = words.frequency_unit;
   if (!words.frequency_unit.empty() && !hertz_in(words.frequency_unit))
     refuse("frequency_unit", words.frequency_unit, "is no unit of frequency",
-           std::string(frequency_unit_list) + " was expected");
+           remedy_for_word(std::string(frequency_unit_list) + " was expected", words.frequency_unit,
+                           {"Hz", "kHz", "rad/s", "1/min"}));
   return convention;
 }
 

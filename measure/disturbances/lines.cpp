@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "measure/signal/transform_length.hpp"
 #include "numerics/distribution.hpp"
@@ -92,8 +93,12 @@ std::vector<Line> find_lines(std::span<const double> samples, double rate, doubl
   double sum = 0;
   for (const double w : window) sum += 2 * w;
   const double of_bin = false_alarm / static_cast<double>(powers.size());
+  // What rounding of a mean leaves of a channel that stands still, or of what is large beside its motion.
+  double largest = 0;
+  for (const double sample : samples) largest = std::max(largest, std::abs(sample));
+  const double rounding = std::pow(std::numeric_limits<double>::epsilon() * largest * sum, 2);
   for (std::size_t k = reach; k + reach < powers.size(); ++k) {
-    if (powers[k] <= powers[k - 1] || powers[k] < powers[k + 1]) continue;
+    if (powers[k] <= powers[k - 1] || powers[k] < powers[k + 1] || !(powers[k] > rounding)) continue;
     const double noise = noise_beside(powers, k);
     if (!(noise > 0) || f_upper_tail(powers[k] / noise, 2, 2 * side_bins) > of_bin) continue;
     const double before = std::log(powers[k - 1]), here = std::log(powers[k]), after = std::log(powers[k + 1]);

@@ -8,6 +8,9 @@
 #include <iterator>
 #include <numbers>
 #include <string_view>
+#include <vector>
+
+#include "input/nearest_word.hpp"
 
 namespace secular {
 namespace {
@@ -252,6 +255,17 @@ std::string si_unit(Quantity quantity) {
   return {};
 }
 
+namespace {
+
+std::vector<std::string> units_of(Quantity quantity) {
+  std::vector<std::string> units{si_unit(quantity)};
+  for (const KnownUnit& known : known_units)
+    if (known.quantity == quantity) units.emplace_back(known.name);
+  return units;
+}
+
+}  // namespace
+
 std::string unit_fault(Quantity quantity, const std::string& unit) {
   if (is_si(quantity, unit)) return {};
   const std::string right = si_unit(quantity);
@@ -269,8 +283,9 @@ std::string unit_fault(Quantity quantity, const std::string& unit) {
     if (measures.empty() && other.name == unit) measures = to_string(other.quantity);
   if (measures.empty()) measures = other_measure(unit);
   if (measures.empty())
-    return fmt::format("unit '{}' is not known: '{}' was expected for the quantity {}", unit, right,
-                       to_string(quantity));
+    return remedy_for_word(fmt::format("unit '{}' is not known: '{}' was expected for the quantity {}", unit, right,
+                                       to_string(quantity)),
+                           unit, units_of(quantity));
   return fmt::format("unit '{}' measures {}, the quantity is {}: '{}' was expected", unit, measures,
                      to_string(quantity), right);
 }

@@ -1,9 +1,10 @@
 #include "motion/response/peak_curve.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "motion/response/amplitude_slope.hpp"
 #include "motion/response/scaled_field.hpp"
 
 namespace secular {
@@ -12,9 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Step of the amplitude's derivative along the branch, in scaled unknowns.
-constexpr double step = 0x1p-12;
 
 /// Typical amplitudes below which a peak is none.
 constexpr double least_peak = 0.02;
@@ -27,7 +25,10 @@ class Peaks {
         scaled_(
             field.reduced(request.scale, request.response.parameters), request.response.parameters,
             {{request.response.parameter, request.response.lower, request.response.upper - request.response.lower},
-             {request.second, request.second_lower, request.second_upper - request.second_lower}}) {}
+             {request.second, request.second_lower, request.second_upper - request.second_lower}}),
+        square_(field, scaled_, request.mode, request.scale) {}
+  Peaks(const Peaks&) = delete;
+  Peaks& operator=(const Peaks&) = delete;
 
   Index dimension() const { return scaled_.dimension(); }
 
@@ -40,55 +41,28 @@ class Peaks {
   // f, and the slope of |B|^2 along the branch in the first parameter.
   VectorXd equations(const VectorXd& y) const {
     const Index n = dimension();
-    const MatrixXd jacobian = scaled_.jacobian(y);
     VectorXd along = VectorXd::Zero(y.size());
-    along.head(n) = -VectorXd(jacobian.leftCols(n).partialPivLu().solve(VectorXd(jacobian.col(n))));
-    along(n) = 1;
-    along.normalize();
+    along.head(n + 1) = turned_tangent(scaled_.jacobian(y).leftCols(n + 1));
     VectorXd value(n + 1);
     value.head(n) = scaled_.rate(y);
-    value(n) = (square(y + step * along) - square(y - step * along)) / (2 * step);
+    value(n) = square_.slope(y, along);
     return value;
   }
 
   ModeAmplitudes modes(const VectorXd& y) const {
     return field_.amplitudes(scaled_.parameters(y), scaled_.state(y));
   }
-  VectorXd state(const VectorXd& y) const { return scaled_.state(y); }
   double first(const VectorXd& y) const { return scaled_.parameters(y)(request_.response.parameter); }
   double second(const VectorXd& y) const { return scaled_.parameters(y)(request_.second); }
 
  private:
-  double square(const VectorXd& y) const { return std::norm(modes(y).amplitude[request_.mode] / request_.scale); }
-
   const ResponseField& field_;
   const PeakRequest& request_;
   ScaledField scaled_;
+  AmplitudeSquare square_;
 };
 
 }  // namespace
-
-std::optional<ResponsePoint> peak_near(const ResponseField& field, const PeakRequest& request,
-                                       const ResponsePoint& near) {
-  const Peaks peaks(field, request);
-  const VectorXd start = peaks.unknowns_at(near);
-  const Index n = peaks.dimension();
-  const auto whole = [&](const VectorXd& unknowns) {
-    VectorXd y = start;
-    y.head(n + 1) = unknowns;
-    return y;
-  };
-  const NewtonResult found = newton(
-      with_differences([&](const VectorXd& u) { return peaks.equations(whole(u)); }, n + 1), start.head(n + 1));
-  if (!found.converged() || (found.unknowns - start.head(n + 1)).norm() > 0.3) return {};
-  const VectorXd y = whole(found.unknowns);
-  ResponsePoint point = near;
-  point.parameter = peaks.first(y);
-  if (point.parameter < request.response.lower || point.parameter > request.response.upper) return {};
-  point.state = peaks.state(y);
-  point.modes = peaks.modes(y);
-  return point;
-}
 
 ResponseCurve peak_curve(const ResponseField& field, const PeakRequest& request, const ResponsePoint& start) {
   const Peaks peaks(field, request);

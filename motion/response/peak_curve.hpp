@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "motion/response/response_curve.hpp"
 
 namespace secular {
@@ -14,10 +12,6 @@ struct PeakRequest {
   std::size_t mode = 0;
   double scale = 1;  ///< typical amplitude
 };
-
-/// The peak near a point of a branch, by Newton's method; nothing where it fails.
-std::optional<ResponsePoint> peak_near(const ResponseField& field, const PeakRequest& request,
-                                       const ResponsePoint& near);
 
 /// The curve of peaks through `start` in both parameters, traced both ways: f = 0 and d |B|^2 / d p = 0 along the
 /// branch f = 0 in the first one.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "motion/response/peak_curve.hpp"
+#include "motion/response/response_peaks.hpp"
 #include "motion/response/spectrum.hpp"
 
 namespace secular {
@@ -271,11 +272,12 @@ class Curves {
       second_ =
           request_.second_lower + (request_.second_upper - request_.second_lower) * (d + 0.5) / request_.diagrams;
       response_.parameters(request_.second) = second_;
-      const ResponseDiagram diagram = response_diagram(field_, response_);
+      ResponseDiagram diagram = response_diagram(field_, response_);
       scale_ = diagram.scale;
+      if (request_.kind == CurveKind::peak) add_peaks(field_, response_, diagram);
       for (const ResponseBranch& branch : diagram.branches)
         if (request_.kind == CurveKind::peak)
-          add_peaks(branch);
+          add_peaks_of(branch);
         else
           add_special(branch);
     }
@@ -317,17 +319,15 @@ class Curves {
     }
   }
 
-  void add_peaks(const ResponseBranch& branch) {
-    for (std::size_t k = 0; k < field_.model().modes(); ++k)
-      for (std::size_t i = 1; i + 1 < branch.points.size(); ++i) {
-        const auto amplitude = [&](std::size_t p) { return std::abs(branch.points[p].modes.amplitude[k]); };
-        if (amplitude(i) < 1e-3 * scale_ || amplitude(i) < largest_amplitude(branch.points[i].modes)) continue;
-        if (amplitude(i) < amplitude(i - 1) || amplitude(i) < amplitude(i + 1)) continue;
-        PeakRequest peak{response_, request_.second, request_.second_lower, request_.second_upper, k, scale_};
-        std::optional<ResponsePoint> top = peak_near(field_, peak, branch.points[i]);
-        if (!top || is_known(*top)) continue;
-        curves_.push_back(peak_curve(field_, peak, *top));
-      }
+  void add_peaks_of(const ResponseBranch& branch) {
+    for (const ResponsePoint& top : branch.points) {
+      if (!top.peak_of) continue;
+      const double amplitude = std::abs(top.modes.amplitude[*top.peak_of]);
+      if (amplitude < 1e-3 * scale_ || amplitude < largest_amplitude(top.modes) || is_known(top)) continue;
+      const PeakRequest peak{response_,    request_.second, request_.second_lower, request_.second_upper,
+                             *top.peak_of, scale_};
+      curves_.push_back(peak_curve(field_, peak, top));
+    }
   }
 
   const ResponseField& field_;

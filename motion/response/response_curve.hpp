@@ -24,20 +24,22 @@ struct CurveSpread {
 struct ResponsePoint {
   double parameter = 0;
   ModeAmplitudes modes;
-  Eigen::VectorXd state;         ///< of ResponseField::reduced(); empty at rest where that is blown up
-  Eigen::VectorXcd eigenvalues;  ///< 1/s, by falling real part; without the zero ones of free phases
-  int unstable = 0;              ///< eigenvalues with a positive real part
-  bool at_rest = false;          ///< no mode oscillates
-  bool outside = false;          ///< of the expansion's range; marked by whoever knows that range
-  std::vector<CurveSpread> spread = {};  ///< [mode]; set by whoever knows the parameters' error bars, else empty
+  Eigen::VectorXd state;                    ///< of ResponseField::reduced(); empty at rest where that is blown up
+  Eigen::VectorXcd eigenvalues;             ///< 1/s, by falling real part; without the zero ones of free phases
+  int unstable = 0;                         ///< eigenvalues with a positive real part
+  bool at_rest = false;                     ///< no mode oscillates
+  bool outside = false;                     ///< of the expansion's range; marked by whoever knows that range
+  std::optional<std::size_t> peak_of = {};  ///< mode whose amplitude is largest here along the branch: add_peaks()
+  std::vector<CurveSpread> spread = {};     ///< [mode]; set by whoever knows the parameters' error bars, else empty
+  std::optional<double> place_sd = {};      ///< of the parameter where `peak_of` is largest; set as `spread` is
 };
 
 struct ResponseSpecial {
   SpecialKind kind = SpecialKind::saddle_node;
   ResponsePoint at;
-  double frequency = 0;   ///< rad/s, of a Hopf point
-  bool polished = false;  ///< SpecialPoint::polished
-  SpecialPoint source;    ///< in the states of ResponseField::reduced()
+  double frequency = 0;           ///< rad/s, of a Hopf point
+  bool polished = false;          ///< SpecialPoint::polished
+  SpecialPoint source;            ///< in the states of ResponseField::reduced()
   std::optional<double> sd = {};  ///< of the parameter there; set as ResponsePoint::spread is
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "motion/response/differences.hpp"
 #include "motion/response/spectrum.hpp"
 
 namespace secular {
@@ -24,6 +25,8 @@ constexpr double relative_step = 1e-5;
 /// Share of a standard deviation by which parameters are moved: directions that change no response are long, and
 /// straight for a short way only.
 constexpr double share_of_sd = 1e-3;
+/// Of second differences along the curve, the same.
+constexpr double peak_step = 0x1p-10;
 /// Amplitudes below this many typical ones are none.
 constexpr double no_amplitude = 1e-6;
 
@@ -75,18 +78,29 @@ VectorXd ResponseSpread::parameters_at(double value) const {
   return parameters;
 }
 
-std::vector<CurveSpread> ResponseSpread::of(const ResponsePoint& point) const {
+std::optional<ResponseSpread::Moved> ResponseSpread::moved(const ResponsePoint& point) const {
   if (point.at_rest || point.state.size() == 0) return {};
-  const VectorXd parameters = parameters_at(point.parameter);
-  const Linearised at = linearised(reduced_, point.state, parameters, varied_, range_, uncertain_.directions);
+  const Linearised at =
+      linearised(reduced_, point.state, parameters_at(point.parameter), varied_, range_, uncertain_.directions);
   const Index n = point.state.size();
-  MatrixXd whole(n, n + 1);
-  whole << at.state, at.parameter;
-  if (!whole.allFinite() || !at.moved.allFinite()) return {};
-  const Eigen::JacobiSVD<MatrixXd> svd(whole, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Moved result;
+  result.jacobian.resize(n, n + 1);
+  result.jacobian << at.state, at.parameter;
+  if (!result.jacobian.allFinite() || !at.moved.allFinite()) return {};
+  const Eigen::JacobiSVD<MatrixXd> svd(result.jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (svd.singularValues()(n - 1) < singular * svd.singularValues()(0)) return {};
-  const VectorXd tangent = svd.matrixV().col(n);
-  const MatrixXd moved = -svd.solve(at.moved);  // of least norm: at right angles to the tangent
+  result.tangent = svd.matrixV().col(n);
+  result.direction = -svd.solve(at.moved);  // of least norm: at right angles to the tangent
+  return result;
+}
+
+std::vector<CurveSpread> ResponseSpread::of(const ResponsePoint& point) const {
+  const std::optional<Moved> curve = this->moved(point);
+  if (!curve) return {};
+  const VectorXd parameters = parameters_at(point.parameter);
+  const Index n = point.state.size();
+  const VectorXd& tangent = curve->tangent;
+  const MatrixXd& moved = curve->direction;
 
   // |B| along a direction of y, over the typical amplitude.
   const auto amplitude_along = [&](const VectorXd& direction) {
@@ -113,6 +127,45 @@ std::vector<CurveSpread> ResponseSpread::of(const ResponsePoint& point) const {
                  scale_ * across * up};
   }
   return spread;
+}
+
+std::optional<double> ResponseSpread::of_peak(const ResponsePoint& point) const {
+  const std::optional<Moved> curve = moved(point);
+  if (!curve || !point.peak_of) return {};
+  const Index n = point.state.size();
+  const VectorXd& typical = reduced_.typical_state();
+  const auto square = [&](const VectorXd& parameters, const VectorXd& state) {
+    return std::norm(field_.amplitudes(parameters, state).amplitude[*point.peak_of] / scale_);
+  };
+  const VectorXd here = parameters_at(point.parameter);
+  const MatrixXd level = difference_jacobian(
+      [&](const VectorXd& y) { return VectorXd::Constant(1, square(here, y.cwiseProduct(typical))); },
+      point.state.cwiseQuotient(typical), VectorXd::Ones(n), 1);
+  VectorXd slope = VectorXd::Zero(n + 1);
+  slope.head(n) = level.row(0).transpose();
+  const VectorXd weight =
+      curve->jacobian.transpose().jacobiSvd(Eigen::ComputeThinU | Eigen::ComputeThinV).solve(slope);
+  // What is stationary under f = 0, at unknowns and parameters moved from here.
+  const auto lagrangian = [&](const VectorXd& unknowns, const VectorXd& by) {
+    VectorXd parameters = here + by;
+    parameters(varied_) += range_ * unknowns(n);
+    const VectorXd state = point.state + unknowns.head(n).cwiseProduct(typical);
+    return square(parameters, state) - weight.dot(reduced_.rate(state, parameters).cwiseQuotient(typical));
+  };
+  const VectorXd along = peak_step * curve->tangent, none = VectorXd::Zero(here.size());
+  const auto mixed = [&](const VectorXd& unknowns, const VectorXd& by) {
+    return lagrangian(along + unknowns, by) - lagrangian(along - unknowns, -by) - lagrangian(unknowns - along, by) +
+           lagrangian(-along - unknowns, -by);
+  };
+  const double bend = mixed(along, none) / peak_step;
+  VectorXd place(curve->direction.cols());
+  for (Index d = 0; d < place.size(); ++d) {
+    const VectorXd unknowns = curve->direction.col(d);
+    const double turn = mixed(share_of_sd * unknowns, share_of_sd * uncertain_.directions.col(d)) / share_of_sd;
+    place(d) = unknowns(n) - turn / bend * curve->tangent(n);
+  }
+  const double sd = range_ * place.norm();
+  return std::isfinite(sd) ? std::optional<double>(sd) : std::nullopt;
 }
 
 std::optional<double> ResponseSpread::of(const ResponseSpecial& special) const {

@@ -17,8 +17,8 @@ struct UncertainParameters {
   Eigen::MatrixXd directions;
 };
 
-/// How far steady responses move with uncertain parameters, to first order: (R6), (R7) of docs/inference.md. The
-/// field must outlive it.
+/// How far steady responses move with uncertain parameters, to first order: (R6), (R7), (R9) of docs/inference.md.
+/// The field must outlive it.
 class ResponseSpread {
  public:
   /// `range`, `scale`: of the varied parameter and of amplitudes, the units in which "across" is a right angle.
@@ -30,9 +30,20 @@ class ResponseSpread {
   /// Of the parameter's value at a saddle-node, a Hopf point or a threshold of the state of rest. Nothing where it
   /// does not follow to first order: other points where branches cross.
   std::optional<double> of(const ResponseSpecial& special) const;
+  /// Of the parameter's value where the amplitude of ResponsePoint::peak_of is largest; that of the amplitude is
+  /// of(point)[mode].amplitude. Nothing where branches cross, and where the amplitude is level to second order.
+  std::optional<double> of_peak(const ResponsePoint& point) const;
 
  private:
+  // How the curve goes on at a point and how it moves, in unknowns of the order of one.
+  struct Moved {
+    Eigen::MatrixXd jacobian;   // equations x (n + 1)
+    Eigen::VectorXd tangent;    // n + 1, of unit length
+    Eigen::MatrixXd direction;  // (n + 1) x directions, at right angles to the tangent
+  };
+
   Eigen::VectorXd parameters_at(double value) const;
+  std::optional<Moved> moved(const ResponsePoint& point) const;
   std::optional<double> of_saddle_node(const ResponsePoint& point) const;
   std::optional<double> of_eigenvalue(const VectorField& field, const Eigen::VectorXd& state, double value) const;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/nearest_word.hpp"
 #include "measure/formats/quantity.hpp"
 #include "measure/formats/unit.hpp"
 #include "motion/simulate/experiment_parts.hpp"
@@ -61,7 +62,9 @@ SimulatedChannel read_channel(const TomlTable& table, ChannelRole role) {
   channel.channel.role = role;
   const auto quantity = parse_quantity(table.string("quantity"));
   if (!quantity)
-    table.fail("quantity", "is '" + table.string("quantity") + "'", std::string(quantity_list) + " was expected");
+    table.fail("quantity", "is '" + table.string("quantity") + "'",
+               remedy_for_word(std::string(quantity_list) + " was expected", table.string("quantity"),
+                               words_of(quantity_names)));
   channel.channel.quantity = *quantity;
   channel.channel.unit = table.string_or("unit", si_unit(*quantity));
   const std::string fault = unit_fault(*quantity, channel.channel.unit);

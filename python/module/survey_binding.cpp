@@ -1,9 +1,11 @@
 // What is asked of records without a model: modal, spectrum, inspect, import.
 #include <pybind11/stl.h>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "jobs/import/import_run.hpp"
 #include "jobs/inspect/inspection_report.hpp"
@@ -11,6 +13,7 @@
 #include "jobs/modal/modal_json.hpp"
 #include "jobs/modal/modal_report.hpp"
 #include "jobs/modal/modal_run.hpp"
+#include "jobs/simulate/simulation.hpp"
 #include "jobs/spectrum/spectrum_run.hpp"
 #include "python/module/bindings.hpp"
 #include "python/module/outcome.hpp"
@@ -94,6 +97,21 @@ std::shared_ptr<JobOutcome> inspected(const std::string& path, const Campaign* c
   return outcome;
 }
 
+// What `simulate --report` writes of a campaign that was simulated.
+std::string simulation_report(const Campaign& campaign, const std::string& experiment, std::uint64_t seed) {
+  std::string report;
+  run_without_lock([&] {
+    InspectionRequest request;
+    request.path = campaign.name;
+    request.campaign = campaign;
+    request.pictures = true;
+    const auto [model, text] = experiment_text(experiment);
+    const SimulatedFrom from{model, experiment, text, seed};
+    report = inspection_report(inspect(request), "Python", &from);
+  });
+  return report;
+}
+
 ImportOptions import_options(const py::dict& options) {
   ImportOptions import;
   for (const std::string& file : options["files"].cast<std::vector<std::string>>()) import.files.emplace_back(file);
@@ -138,6 +156,7 @@ void add_surveys(py::module_& module) {
   module.def("modal", &surveyed, "campaign"_a, "options"_a);
   module.def("spectrum", &decomposed, "source"_a, "campaign"_a, "options"_a);
   module.def("inspect", &inspected, "path"_a, "campaign"_a, "options"_a);
+  module.def("simulation_report", &simulation_report, "campaign"_a, "experiment"_a, "seed"_a);
   module.def("import_files", &imported, "options"_a, "folder"_a, "replace"_a);
 }
 

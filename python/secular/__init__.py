@@ -18,7 +18,7 @@ from ._files import Fault, Import, InspectedRecord, Inspection, Levels, Variable
 from ._jobs import Cause, Diagnosis, Identification, Value, diagnose, identify, simulate
 from ._model import Derivation, EvaluatedTerm, Evaluation, Model, derive, evaluate
 from ._plan import Plan, PlannedDwell, Programme, WantedParameter, plan
-from ._predict import Backbone, Branch, Curve, MeasuredDwell, Prediction, SpecialPoint, Sweep, predict
+from ._predict import Backbone, Branch, Curve, LargestResponse, MeasuredDwell, Prediction, SpecialPoint, Sweep, predict
 from ._surveys import (ChannelSpectrum, Decomposition, ModalSurvey, Mode, Spectrum, SteadyLevel, Term, modal,
                        spectrum)
 
@@ -34,7 +34,8 @@ def shipped_models() -> list:
 
 __all__ = ["Backbone", "Branch", "Campaign", "Cause", "Channel", "ChannelSpectrum", "Curve", "Decomposition",
            "Derivation", "Diagnosis", "EvaluatedTerm", "Evaluation", "Fault", "Identification", "Import", "InputError",
-           "InspectedRecord", "Inspection", "Levels", "MeasuredDwell", "ModalBasis", "ModalSurvey", "Mode", "Model",
-           "NumericalFailure", "Plan", "PlannedDwell", "Prediction", "Programme", "Record", "SpecialPoint", "Spectrum",
-           "SteadyLevel", "Sweep", "Term", "Value", "Variable", "WantedParameter", "derive", "diagnose", "evaluate",
-           "identify", "import_files", "inspect", "modal", "plan", "predict", "shipped_models", "simulate", "spectrum"]
+           "InspectedRecord", "Inspection", "LargestResponse", "Levels", "MeasuredDwell", "ModalBasis", "ModalSurvey",
+           "Mode", "Model", "NumericalFailure", "Plan", "PlannedDwell", "Prediction", "Programme", "Record",
+           "SpecialPoint", "Spectrum", "SteadyLevel", "Sweep", "Term", "Value", "Variable", "WantedParameter", "derive",
+           "diagnose", "evaluate", "identify", "import_files", "inspect", "modal", "plan", "predict", "shipped_models",
+           "simulate", "spectrum"]

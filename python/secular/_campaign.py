@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _checks, _core
 from ._errors import InputError
+from ._result import html_table
 
 
 @dataclass(frozen=True)
@@ -230,6 +231,10 @@ class Campaign:
         """Times of a record's samples, s."""
         record = self[index]
         return record.start_s + np.arange(record.samples.shape[1]) * self.time_step_s
+
+    def _repr_html_(self) -> str:
+        rows = [(channel.name, channel.role, channel.quantity, channel.unit) for channel in self.channels]
+        return html_table(f"{self.name}: {len(self)} records", ("channel", "role", "quantity", "unit"), rows)
 
     def __repr__(self) -> str:
         return f"<secular.Campaign {self.name!r}: {len(self)} records of {len(self.channels)} channels>"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import functools
 import math
 import numbers
@@ -80,6 +81,16 @@ def path(argument: str, value) -> str:
     if not isinstance(value, (str, os.PathLike)):
         raise refused(argument, shown(value), "give a path or a name")
     return os.fsdecode(value)
+
+
+def new_file(argument: str, value) -> str:
+    """A path where no file stands, in a folder that does."""
+    name = path(argument, value)
+    if os.path.lexists(name):
+        raise refused(argument, f"{name} exists", "name a new file")
+    if not os.path.isdir(os.path.dirname(name) or "."):
+        raise refused(argument, f"the folder of {name} does not exist", "make it, or name another file")
+    return name
 
 
 def numbers_by_symbol(argument: str, value) -> dict[str, float]:
@@ -189,7 +200,9 @@ def pair(argument: str, value) -> Tuple[float, float]:
 
 def one_of(argument: str, value, *words: str) -> str:
     if not isinstance(value, str) or value not in words:
-        raise refused(argument, shown(value), "give " + " or ".join(repr(word) for word in words))
+        near = difflib.get_close_matches(value.lower(), words, 1) if isinstance(value, str) else []
+        raise refused(argument, shown(value), "give " + " or ".join(repr(word) for word in words)
+                      + (f"; did you mean {near[0]!r}?" if near else ""))
     return value
 
 

@@ -205,6 +205,12 @@ class Import(Result):
         self.left_out: list[str] = self.data["left_out"]
         self.converted: list[dict] = self.data["converted"]
 
+    def to_pandas(self):
+        """A data frame with one row for each channel."""
+        import pandas
+
+        return pandas.DataFrame([vars(channel) for channel in self.campaign.channels])
+
     def _rows(self) -> list[tuple]:
         return [(channel.name, channel.role, channel.quantity, channel.unit) for channel in self.campaign.channels]
 

@@ -275,10 +275,16 @@ def diagnose(campaign: Union[Campaign, str, os.PathLike], model: Union[Model, st
 
 @_checks.in_keywords({})
 def simulate(experiment: Union[str, os.PathLike], *, seed: int = 1, threads: Optional[int] = None,
-             interpret: bool = False) -> Campaign:
+             interpret: bool = False, report: Union[str, os.PathLike, None] = None) -> Campaign:
     """A virtual test on the full equations of motion; what `secular simulate` does.
 
     experiment: a file, or "experiments/NAME" of a shipped one (docs/simulating.md). seed: of the measurement noise.
+    report: a new file for a page that says what was simulated, and draws the records. Raises InputError.
     """
-    return Campaign._of(_core.simulate(_checks.path("experiment", experiment), _checks.seed(seed),
-                                       _checks.threads(threads), _checks.flag("interpret", interpret)))
+    source, page = _checks.path("experiment", experiment), _checks.optional(_checks.new_file, "report", report)
+    campaign = _core.simulate(source, _checks.seed(seed), _checks.threads(threads),
+                              _checks.flag("interpret", interpret))
+    if page is not None:
+        with open(page, "x", encoding="utf-8") as stream:
+            stream.write(_core.simulation_report(campaign, source, seed))
+    return Campaign._of(campaign)

@@ -108,6 +108,23 @@ class MeasuredDwell:
     sd_between_ensembles: np.ndarray
 
 
+@dataclass(frozen=True)
+class LargestResponse:
+    """The largest stable response of a mode within the expansion's range.
+
+    kind: "peak" (the amplitude is level there), "range_end" (of what is varied), "stability_end" (beyond it the
+    response is unstable) or "search_end". parameter: of what is varied, rad/s where it is a frequency; amplitude:
+    peak, in the coordinate's unit. parameter_sd, amplitude_sd: one standard deviation, None where there is none.
+    """
+
+    mode: str
+    kind: str
+    parameter: float
+    amplitude: float
+    parameter_sd: Optional[float]
+    amplitude_sd: Optional[float]
+
+
 def _amplitudes(points: Sequence[dict], key: str = "amplitude") -> np.ndarray:
     return np.array([[mode[key] for mode in point["modes"]] for point in points], dtype=float)
 
@@ -132,7 +149,7 @@ class Prediction(Report):
 
     model, case; parameters: symbol to number; units: symbol to unit, of an estimate or a measured campaign;
     coordinate_unit: the same, of amplitudes ("" where nothing says it); varied, against: names of what is varied ("" for none); modes: names of
-    the coordinates, by column of the amplitudes. branches: list of Branch; curves: list of Curve (`curve` was asked
+    the coordinates, by column of the amplitudes. largest: list of LargestResponse, one a mode; branches: list of Branch; curves: list of Curve (`curve` was asked
     for); backbones: list of Backbone (a case without excitation); sweeps: list of Sweep; measured: list of
     MeasuredDwell. complete: every branch that was begun was followed to its end. Figures: "response" and "phases", or
     "plane" and "amplitude", or "backbone_MODE".
@@ -151,6 +168,9 @@ class Prediction(Report):
         self.against: str = varied[1]
         self.complete: bool = data.get("complete", True)
         self.branches = [_branch(entry, self.varied) for entry in data.get("branches", [])]
+        self.largest = [LargestResponse(entry["mode"], entry["kind"], entry[self.varied], entry["amplitude"],
+                                        entry.get(self.varied + "_sd"), entry.get("amplitude_sd"))
+                        for entry in data.get("largest", [])]
         self.curves = [Curve(entry["kind"], entry["closed"], _array(entry["points"], self.varied),
                              _array(entry["points"], self.against), _amplitudes(entry["points"]),
                              _array(entry["points"], "outside_expansion", bool), entry["special_points"])
@@ -190,6 +210,8 @@ class Prediction(Report):
                  ", ".join(shown(a) for a in special.amplitude) + (
                      "  (outside of the expansion's range)" if special.outside_expansion else ""))
                 for number, branch in enumerate(self.branches, 1) for special in branch.special_points]
+        rows += [(f"largest of {at.mode}", at.kind, shown(at.parameter, 7), shown(at.amplitude) + (
+            "" if at.amplitude_sd is None else f" +- {shown(at.amplitude_sd, 2)}")) for at in self.largest]
         rows += [(f"curve {number}", curve.kind, f"{len(curve.first)} points", "")
                  for number, curve in enumerate(self.curves, 1)]
         rows += [(f"backbone of {line.mode}", "", f"{line.frequency[0]:.7g} to {line.frequency[-1]:.7g} rad/s",

@@ -14,6 +14,19 @@ def small(channels=CHANNELS, samples=None, **described):
     return secular.Campaign(channels, [secular.Record(samples, **described)], time_step_s=1 / 128, name="small")
 
 
+def test_simulate_writes_a_report_to_a_new_file_and_says_so_before_the_work(tmp_path):
+    experiment, page = "experiments/pendulum_decay", tmp_path / "page.html"
+    campaign = secular.simulate(experiment, seed=3, report=page)
+    text = page.read_text(encoding="utf-8")
+    assert text.startswith("<!") and "pendulum" in text and "<svg" in text and len(campaign) > 0
+    assert "response" in campaign._repr_html_()
+    for wrong in (page, tmp_path / "none" / "page.html", 3):
+        with pytest.raises(secular.InputError) as raised:
+            secular.simulate("no such experiment", report=wrong)
+        assert raised.value.file == "report", raised.value
+    assert page.read_text(encoding="utf-8") == text
+
+
 def test_arrays_come_back_bit_by_bit_also_from_a_folder(tmp_path):
     given = np.random.default_rng(3).normal(size=(2, 400))
     campaign = small(samples=given, start_s=2.5, group="one", excitation_amplitude=3.0)

@@ -59,6 +59,14 @@ def test_a_duffing_response_is_the_textbook_s():
             assert math.isclose(left, force**2 / (4 * omega0**2), rel_tol=1e-6)
             checked += 1
     assert checked > 20
+    cut, = found.largest
+    assert cut.kind == "range_end" and math.isclose(cut.parameter, 10.1)
+    found = secular.predict(DUFFING, numbers, case="primary", at={"F": force}, vary=("Omega", 9.95, 10.3))
+    top, = found.largest
+    assert top.kind == "peak" and top.mode == "x" and top.amplitude_sd is None
+    assert math.isclose(top.amplitude, force / (2 * mu * omega0), rel_tol=1e-12)
+    assert math.isclose(top.parameter, omega0 + 3 * alpha * top.amplitude**2 / (8 * omega0), rel_tol=1e-10)
+    assert "largest of x" in repr(found) and "largest of x" in found._repr_html_()
     backbone, = secular.predict(DUFFING, numbers, case="free", largest=0.5).backbones
     assert np.allclose(backbone.frequency, omega0 + 3 * alpha * backbone.amplitude**2 / (8 * omega0), rtol=1e-12)
     assert np.allclose(backbone.growth, -mu, rtol=1e-12) and backbone.amplitude[-1] == pytest.approx(0.5)
@@ -114,7 +122,7 @@ def test_every_special_point_is_listed_once_as_the_command_prints_them(program, 
     found = secular.predict("two_mass_mode1", "predictions/table_5_4", case="principal_parametric", at={"F": 22.5},
                             vary=("Omega", 24.4, 25.1), hz=True)
     points = [point for branch in found.branches for point in branch.special_points]
-    assert [line.split()[0] for line in printed.splitlines() if " Omega = " in line] == [
+    assert [line.split()[0] for line in printed.splitlines() if line.startswith("  ") and " Omega = " in line] == [
         point.fields.get("old_kind", point.kind) for point in points]  # people read "saddle-node"
     assert len(points) == sum(len(branch["special_points"]) for branch in found.data["branches"])
     assert [point.kind for point in points].count("saddle_node") == 1  # of two solutions that differ in phase alone

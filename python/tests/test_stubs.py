@@ -57,6 +57,21 @@ def test_what_the_package_shows_is_there_and_explained():
             assert all(p.annotation is not p.empty for p in inspect.signature(shown).parameters.values()), name
 
 
+def test_results_are_tables_in_a_notebook_and_figures():
+    from secular._result import Result
+
+    results = [getattr(secular, name) for name in secular.__all__]
+    results = [shown for shown in results if inspect.isclass(shown) and issubclass(shown, Result)]
+    assert len(results) >= 8
+    for shown in results:
+        for method in ("to_json", "to_pandas", "_repr_html_"):
+            assert callable(getattr(shown, method)) and (method[0] == "_" or getattr(shown, method).__doc__), shown
+        assert shown.__repr__ is not object.__repr__, shown
+        # docs/python.md says which have none: terms of an evaluation, and files that become a campaign.
+        assert hasattr(shown, "plot") != (shown in (secular.Evaluation, secular.Import)), shown
+    assert callable(secular.Campaign._repr_html_)
+
+
 def test_methods_that_classes_name_exist():
     named = 0
     for shown in (getattr(secular, name) for name in secular.__all__):

@@ -1,6 +1,7 @@
 // `secular inspect`: the answer in one sentence, a report with pictures, and an import command that can be run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -91,6 +92,23 @@ TEST_F(InspectionReport, TheProposedImportCanBeRun) {
   ASSERT_EQ(outcome.status, 0) << command << outcome.errors;
   EXPECT_EQ(read("made/records/a.csv").substr(0, 14), "t,Kraft,Tip 1\n");
   EXPECT_NE(run("inspect made").output.find("usable for identify: 1 of 1 record\n"), std::string::npos);
+}
+
+// A thermometer that stands still has no tone, and is not among the channels that are proposed.
+TEST_F(InspectionReport, AChannelThatStandsStillIsNotProposedAndHasNoTone) {
+  std::string text = "Zeit;Weg Spitze;Temperatur\n[s];[mm];[°C]\n";
+  for (int i = 0; i < 7000; ++i) {
+    std::string row =
+        std::to_string(0.002 * i) + ';' + std::to_string(20 * std::exp(-7e-4 * i) * std::cos(0.09 * i)) + ";21.5\n";
+    std::replace(row.begin(), row.end(), '.', ',');
+    text += row;
+  }
+  write("warm.csv", text);
+  const std::string output = run("inspect warm.csv").output;
+  EXPECT_NE(output.find("Temperatur: constant"), std::string::npos) << output;
+  EXPECT_EQ(output.find("foreign_tone"), std::string::npos) << output;
+  EXPECT_EQ(output.find("nan"), std::string::npos) << output;
+  EXPECT_NE(output.find("--kind KIND --channel 'Weg Spitze:response' --time Zeit\n"), std::string::npos) << output;
 }
 
 }  // namespace

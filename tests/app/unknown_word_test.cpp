@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "input/nearest_word.hpp"
 #include "tests/app/duffing_decay.hpp"
 #include "tests/app/program_run.hpp"
 #include "tests/places.hpp"
@@ -21,12 +22,12 @@ using testing_support::Outcome;
 
 TEST(NearestWord, IsASlipAway) {
   const std::vector<std::string> known = {"identify", "inspect", "import", "diagnose"};
-  EXPECT_EQ(app::nearest_word("diagnoze", known), "diagnose");
-  EXPECT_EQ(app::nearest_word("improt", known), "import");  // a swap is one slip
-  EXPECT_EQ(app::nearest_word("identfy", known), "identify");
-  EXPECT_EQ(app::nearest_word("inspectt", known), "inspect");
-  EXPECT_EQ(app::nearest_word("frobnicate", known), std::nullopt);
-  EXPECT_EQ(app::nearest_word("", known), std::nullopt);
+  EXPECT_EQ(nearest_word("diagnoze", known), "diagnose");
+  EXPECT_EQ(nearest_word("improt", known), "import");  // a swap is one slip
+  EXPECT_EQ(nearest_word("identfy", known), "identify");
+  EXPECT_EQ(nearest_word("inspectt", known), "inspect");
+  EXPECT_EQ(nearest_word("frobnicate", known), std::nullopt);
+  EXPECT_EQ(nearest_word("", known), std::nullopt);
 }
 
 class TypedWords : public testing::Test {
@@ -63,6 +64,26 @@ TEST_F(TypedWords, UnknownOnesAreNamedWithWhatMayBeMeant) {
                               "saddle_node?"),
             std::string::npos)
       << curve.errors;
+  // Kinds, roles, quantities, units, variables, cases, symbols, shipped files.
+  std::ofstream(folder_ / "a.csv") << "time,x\n0,1\n0.1,2\n0.2,3\n0.3,1\n";
+  const std::pair<std::string, std::string> values[] = {
+      {"import a.csv -o c --kind Dwell --channel x:response:displacement:m", "did you mean dwell?"},
+      {"import a.csv -o c --kind freedecay --channel x:response:displacement:m", "did you mean free_decay?"},
+      {"import a.csv -o c --kind dwell --channel x:Response", "did you mean response?"},
+      {"import a.csv -o c --kind dwell --channel x:respnse:displacement:m", "did you mean response?"},
+      {"import a.csv -o c --kind dwell --channel x:response:Displacment:m", "did you mean displacement?"},
+      {"import a.csv -o c --kind dwell --channel x:response:displacement:Mm", "did you mean mm?"},
+      {"import a.csv -o c --kind dwell --channel X:response:displacement:m", "did you mean x?"},
+      {"import a.csv -o c --kind dwell --time Time --channel x:response:displacement:m", "did you mean time?"},
+      {"import a.csv -o c --kind lines --amplitudes RMS --channel x:response:displacement:m", "did you mean rms?"},
+      {"predict duffing --case primry --parameters p --vary Omega 1 2 -o out", "did you mean primary?"},
+      {"derive duffng", "did you mean duffing?"},
+      {"simulate experiments/principal_parametrc -o c", "did you mean experiments/principal_parametric?"}};
+  for (const auto& [arguments, message] : values) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_NE(outcome.errors.find(message), std::string::npos) << arguments << '\n' << outcome.errors;
+  }
   // What is missing is still said where every word is known.
   EXPECT_NE(run("identify c --model duffing").errors.find("--output is required"), std::string::npos);
 }

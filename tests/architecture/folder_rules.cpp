@@ -104,7 +104,7 @@ const FolderTable& folder_table() {
       {"app/evaluate", {"jobs/shared", "jobs/derive", "app/shared"}},
       {"app/generate", {"input", "perturb", "codegen/cpp", "jobs/shared", "app/shared"}},
       {"app/help", {"input", "jobs/shared", "app/shared"}},
-      {"app/identify", {"input", "report", "jobs/shared", "jobs/identify", "app/shared"}},
+      {"app/identify", {"input", "numerics", "report", "jobs/shared", "jobs/identify", "app/shared"}},
       {"app/import", {"measure/data", "jobs/import", "app/shared"}},
       {"app/inspect", {"jobs/inspect", "app/shared"}},
       {"app/modal", {"input", "numerics", "report", "measure/modal", "jobs/modal", "app/shared"}},

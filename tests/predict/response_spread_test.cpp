@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
 #include "combination_case.hpp"
 #include "estimator/model/by_name.hpp"
+#include "motion/response/response_peaks.hpp"
 #include "parametric_case.hpp"
 
 namespace secular {
@@ -127,6 +129,44 @@ TEST_F(ParametricSpread, OfSpecialPointsIsThatOfTheirFormulas) {
     }
   EXPECT_GE(folds, 1U);
   EXPECT_EQ(thresholds, 2U);
+}
+
+// At the peak the two frequencies of an amplitude merge: eta_e F = omega0 mu1 + kappa a^2, where sigma is twice
+// alpha_e a^2/omega0. It lies next to a fold, and between points of the branch.
+TEST_F(ParametricSpread, OfThePeakIsThatOfItsFormula) {
+  const auto amplitude = [](const Parametric& p) {
+    return std::sqrt((p.eta_e * p.F - p.omega0 * p.mu1) / p.kappa());
+  };
+  const auto frequency = [&](const Parametric& p) {
+    return 2 * p.omega0 + 2 * p.alpha_e * std::pow(amplitude(p), 2) / p.omega0;
+  };
+  const auto largest = [](const ResponseDiagram& diagram) {
+    double most = 0;
+    for (const ResponseBranch& branch : diagram.branches)
+      for (const ResponsePoint& point : branch.points)
+        most = std::max(most, 2 * std::abs(point.modes.amplitude[0]));
+    return most;
+  };
+  EXPECT_LT(largest(diagram_), amplitude(known_) * (1 - 1e-9));  // the grid passes beside it
+  add_peaks(field_, request_, diagram_);
+  EXPECT_NEAR(largest(diagram_) / amplitude(known_), 1, 1e-12);
+  std::size_t peaks = 0;
+  for (const ResponseBranch& branch : diagram_.branches)
+    for (const ResponsePoint& point : branch.points) {
+      if (!point.peak_of) continue;
+      EXPECT_EQ(*point.peak_of, 0U);
+      EXPECT_EQ(point.unstable, 0);
+      EXPECT_NEAR(point.parameter, frequency(known_), 1e-9 * known_.omega0);
+      EXPECT_NEAR(2 * spread_.of(point)[0].amplitude / sd_of(known_, amplitude), 1, 1e-5);
+      const std::optional<double> place_sd = spread_.of_peak(point);
+      ASSERT_TRUE(place_sd);
+      EXPECT_NEAR(*place_sd / sd_of(known_, frequency), 1, 1e-5);
+      ++peaks;
+    }
+  EXPECT_GE(peaks, 1U);
+  for (const ResponseBranch& branch : diagram_.branches)
+    for (const ResponsePoint& point : branch.points)
+      EXPECT_EQ(spread_.of_peak(point).has_value(), point.peak_of.has_value());
 }
 
 // Responses that drift along circles: their solutions found anew with other parameters, at the same frequency.

@@ -165,6 +165,25 @@ TEST_F(ReportInChromium, NothingOverflowsAndNoScriptFails) {
   EXPECT_EQ(errors().find("CONSOLE"), std::string::npos) << errors();
 }
 
+// On a phone a figure is seen whole; enlarged it is as wide as its letters need, and scrolls in its box.
+TEST_F(ReportInChromium, FiguresFitAPhoneUntilTheyAreEnlarged) {
+  std::ofstream(folder_ / "phone.html")
+      << R"(<body><iframe src="report.html" style="width:390px;height:800px"></iframe><script>onload = () => {
+  const page = document.querySelector('iframe').contentDocument;
+  const cut = () => [...page.querySelectorAll('figure .scroll')].filter((box) => box.scrollWidth > box.clientWidth).length;
+  const shown = (name) => page.querySelector(name).getClientRects().length;
+  const before = [cut(), shown('.size .large'), shown('.size .whole')];
+  page.querySelector('.size .large').click();
+  setTimeout(() => {
+    const after = [cut(), shown('.size .large'), shown('.size .whole'), page.documentElement.scrollWidth];
+    document.title = [...before, ...after].join(' '); }, 200); };</script></body>)";
+  const std::string page =
+      run("--virtual-time-budget=5000 --dump-dom 'file://" + (folder_ / "phone.html").string() + "'");
+  const auto titles = test::parts_between(page, "<title>", "</title>");
+  ASSERT_FALSE(titles.empty()) << page << errors();
+  EXPECT_EQ(titles.front(), "0 1 0 1 0 1 390");
+}
+
 TEST_F(ReportInChromium, AScreenshotShowsThePage) {
   const fs::path picture = folder_ / "page.png";
   run("--window-size=1280,900 --screenshot='" + picture.string() + "' 'file://" +

@@ -1,0 +1,69 @@
+#include "jobs/predict/largest_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "jobs/predict/uncertain_text.hpp"
+
+namespace secular {
+namespace {
+
+/// Of eigenvalues over the largest one: real parts that rounding leaves of zero at a special point.
+constexpr double neutral = 1e-6;
+
+double amplitude_of(const ResponsePoint& point, std::size_t mode) {
+  return 2 * std::abs(point.modes.amplitude[mode]);
+}
+
+// Whether stable responses end at a special point: nothing grows there.
+bool borders_stable_ones(const ResponsePoint& special) {
+  double largest = 0, growth = 0;
+  for (const std::complex<double>& value : special.eigenvalues) {
+    largest = std::max(largest, std::abs(value));
+    growth = std::max(growth, value.real());
+  }
+  return growth <= neutral * largest;
+}
+
+LargestResponse at_point(const ResponseBranch& branch, std::size_t i, std::size_t mode) {
+  const ResponsePoint& point = branch.points[i];
+  LargestResponse result{mode, LargestAt::search_end, point.parameter, amplitude_of(point, mode), {}, {}};
+  const bool ends_range = (i == 0 && branch.first_end.status == TraceStatus::parameter_bound) ||
+                          (i + 1 == branch.points.size() && branch.last_end.status == TraceStatus::parameter_bound);
+  if (point.peak_of == mode) {
+    result.kind = LargestAt::peak;
+    result.parameter_sd = point.place_sd;
+  } else if (ends_range) {
+    result.kind = LargestAt::range_end;
+  }
+  if (result.kind != LargestAt::search_end) result.amplitude_sd = amplitude_sd(point, mode);
+  return result;
+}
+
+}  // namespace
+
+std::vector<LargestResponse> largest_responses(const Prediction& prediction) {
+  std::vector<LargestResponse> all;
+  for (std::size_t mode = 0; mode < prediction.model->modes(); ++mode) {
+    if (prediction.resonance->mode_at_rest[mode]) continue;
+    LargestResponse largest;
+    for (const ResponseBranch& branch : prediction.diagram.branches) {
+      for (std::size_t i = 0; i < branch.points.size(); ++i) {
+        const ResponsePoint& point = branch.points[i];
+        if (point.unstable > 0 || point.at_rest || point.outside) continue;
+        if (amplitude_of(point, mode) > largest.amplitude) largest = at_point(branch, i, mode);
+      }
+      for (const ResponseSpecial& special : branch.special) {
+        const ResponsePoint& point = special.at;
+        if (point.at_rest || point.outside || !borders_stable_ones(point)) continue;
+        if (amplitude_of(point, mode) > largest.amplitude)
+          largest = {mode, LargestAt::stability_end, point.parameter, amplitude_of(point, mode), {}, {}};
+      }
+    }
+    if (largest.amplitude > 0) all.push_back(largest);
+  }
+  return all;
+}
+
+}  // namespace secular
