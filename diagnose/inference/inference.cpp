@@ -5,6 +5,7 @@
 
 #include "diagnose/inference/explanation_search.hpp"
 #include "diagnose/inference/fits_afresh.hpp"
+#include "diagnose/inference/near_fits.hpp"
 #include "diagnose/inference/null_fit.hpp"
 #include "diagnose/inference/pair_fits.hpp"
 #include "diagnose/inference/single_fits.hpp"
@@ -100,11 +101,7 @@ Inference weighed(ExplanationSearch& search) {
   return result;
 }
 
-}  // namespace
-
-Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const VectorXd& start,
-                const std::vector<std::size_t>& own, const InferenceOptions& options) {
-  ExplanationSearch search(discrepancy, candidates, own, options, start.size());
+void search_from(ExplanationSearch& search, const VectorXd& start) {
   fit_null(search, start);
   fit_singles(search);
   if (search.found.empty() && search.level != finest_level) {
@@ -114,6 +111,19 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   if (!begin_afresh(search, start)) descend(search);
   add_pairs(search);
   if (start_afresh(search, start)) add_pairs(search);
+}
+
+}  // namespace
+
+Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const VectorXd& start,
+                const std::vector<std::size_t>& own, const InferenceOptions& options) {
+  ExplanationSearch search(discrepancy, candidates, own, options, start.size());
+  if (options.near != nullptr) {
+    fit_near(search, *options.near);
+    add_pairs(search);
+  } else {
+    search_from(search, start);
+  }
   settle(search);
   if (options.progress) options.progress(search.fitted, search.fitted);
   return weighed(search);

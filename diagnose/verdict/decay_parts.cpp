@@ -101,16 +101,13 @@ std::optional<PartsOfDecays> parts_of_decays(const Comparison& comparison, const
     return campaign.records[label.record].kind == RecordKind::free_decay;
   });
   if (!only_decays || !comparison.segment_evidence) return {};
-  Refit in_time = fit;
-  comparison.segment_evidence->put_in_time(in_time.rows);
-  comparison.segment_evidence->put_in_time(in_time.jacobian);
-  PartsOfDecays parts{agreement_of_parts(in_time, parts_by_fold(labels)),
-                      agreement_of_parts(in_time, large_parts(in_time, labels))};
+  PartsOfDecays parts{agreement_of_parts(fit, parts_by_fold(labels)),
+                      agreement_of_parts(fit, large_parts(fit, labels))};
   if (!(parts.folds.freedom > 0)) return {};
   parts.noise_beside = noise_beside_motion(comparison.segment_evidence->left(fit.unknowns),
                                            fit.unknowns.head(static_cast<Index>(modes)));
   parts.of_records = labels.front().record != labels.back().record;
-  if (modes == 1) parts.laws = unseen_laws(comparison, in_time, parts.noise_beside);
+  if (modes == 1) parts.laws = unseen_laws(comparison, fit, parts.noise_beside);
   return parts;
 }
 
