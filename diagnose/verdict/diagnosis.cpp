@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "diagnose/inference/fold_scatter.hpp"
+#include "diagnose/inference/parts_of_rows.hpp"
 #include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/conclusion.hpp"
@@ -253,6 +254,7 @@ class OpenDiagnosis::Stages {
     const double there_was = judged_ ? judged_->rows.squaredNorm() : inference_.null.fit.chi_squared;
     result_.residual_structure = residual_structure_of(best_->fit, result_.labels, freedom(),
                                                        std::max(0.0, there_was - best_->fit.chi_squared));
+    if (options_.whole_decays) result_.residual_structure.smooth_p_value = p_value_of_parts();
     const SymbolUnits units(campaign_, model_);
     const CauseReporter reporter{comparison_.candidates, comparison_.unknown_names(model_),
                                  [&](std::size_t unknown) { return units.of(unknown); },
@@ -274,6 +276,12 @@ class OpenDiagnosis::Stages {
                   what_speaks_against(contest, result_.gap.noise_misjudged, result_.unsteady, closing)));
     if (result_.verdict == "approximate") approximate(contest.named, naming, closing, gap);
     return naming;
+  }
+
+  // That parts of decays in one piece differ by as much in the numbers of the best explanation.
+  double p_value_of_parts() const {
+    const PartsAgreement parts = agreement_of_parts(best_->fit, parts_by_fold(result_.labels));
+    return parts.freedom > 0 ? parts.p_value : 1;
   }
 
   // The best explanation is not all of the gap. Where the model's own numbers, fitted, close most of that of the

@@ -158,7 +158,7 @@ VectorXd moved_by_laws(const Attempt& attempt) {
 // The same of what parts of decays differ by (docs/inference.md (67)).
 VectorXd hidden_by_parts(const Attempt& whole) {
   const PartsAgreement& worse = whole.parts->worse();
-  const RowsLeft left{worse.chi_squared, worse.freedom * whole.parts->noise_beside};
+  const RowsLeft left{worse.chi_squared, worse.freedom};
   return hidden_in(whole.fitted.inference.null.fit, left).cwiseMax(2 * moved_by_laws(whole));
 }
 

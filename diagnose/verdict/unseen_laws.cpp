@@ -94,7 +94,7 @@ bool UnseenLaws::is_seen() const {
   return p_value < diagnose_thresholds().gap_alarm;
 }
 
-UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit, double noise) {
+UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit) {
   UnseenLaws result;
   result.moved = VectorXd::Zero(static_cast<Index>(fit.free.size()));
   if (fit.rank == 0 || fit.scale.size() != result.moved.size()) return result;
@@ -114,9 +114,9 @@ UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit, double no
     const double left = law.norm();
     if (!(left > least_left * length)) continue;
     tried += 1;
-    const double deviations = std::abs(law.dot(fit.rows)) / left / std::sqrt(noise);
+    const double deviations = std::abs(law.dot(fit.rows)) / left;
     const VectorXd per_deviation =
-        (fit.scale.cwiseProduct(to_unknowns * along) / left * std::sqrt(noise)).cwiseAbs();
+        (fit.scale.cwiseProduct(to_unknowns * along) / left).cwiseAbs();
     result.moved = result.moved.cwiseMax(std::sqrt(std::max(0.0, deviations * deviations - 1)) * per_deviation);
     const double p = 2 * normal_upper_tail(deviations);
     if (p >= least_p) continue;

@@ -17,7 +17,6 @@ struct UnseenLaws {
 };
 
 /// docs/inference.md (76). `fit`: to decays in one piece each.
-/// `noise`: power about the motion over white noise.
-UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit, double noise);
+UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit);
 
 }  // namespace secular
