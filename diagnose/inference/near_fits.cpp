@@ -33,7 +33,11 @@ void fit_near(ExplanationSearch& search, const Inference& near) {
   search.result.null.fit = search.fitter.at_level(near.null.fit.unknowns, search.own, 0).fit;
   search.result.degrees_of_freedom = search.freedom_about_null();
   search.null_holds = !search.fitter.admits_own() && !search.leaves_more_than_noise(search.result.null);
-  fit_singles(search);
+  // Where the other rows saw the gap, what explains it there is known; else it shows here alone.
+  if (is_within_noise(near.null.fit.chi_squared, near.degrees_of_freedom))
+    fit_singles(search);
+  else
+    search.take_gains(std::vector<Screening>(search.candidates.size()));
   for (std::size_t i = 0; i < std::min(most_near, near.explanations.size()); ++i) {
     Explanation e;
     e.members = near.explanations[i].members;

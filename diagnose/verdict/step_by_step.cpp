@@ -84,12 +84,13 @@ class StepByStep {
     }
   }
 
-  // States of segments' own take up most of what a slow law does along a decay. One cause needs no more; a campaign
-  // without a gap is asked by the model as it is. Rows of few turns are where fits begin: among many turns there are
+  // States of segments' own take up most of what a slow law does along a decay. A cause, or what closes nearly all,
+  // needs no more; a campaign without a gap is asked by the model as it is. Rows of few turns are where fits begin: among many turns there are
   // minima a whole turn off.
   void try_in_one_piece() {
     const Diagnosis& segments = best_->so_far();
-    const bool is_known = segments.verdict == "cause" || how_much(segments) == Accounted::doubtful || blows_;
+    const bool is_known = segments.verdict == "cause" || segments.verdict == "approximate" ||
+                          how_much(segments) == Accounted::doubtful || blows_;
     if (is_known || !best_->holds_decays() || !against_one_piece(options_).empty()) return;
     allow(best_allowance_);
     DiagnosisOptions options = options_;
