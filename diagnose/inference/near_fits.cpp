@@ -26,6 +26,14 @@ void judge_at_best(ExplanationSearch& search) {
   }
 }
 
+// In place of a screening: no gain, and every candidate from where it was fitted alone.
+void take_singles(ExplanationSearch& search, const Inference& near) {
+  search.singles.assign(search.candidates.size(), {});
+  search.take_gains(search.singles);
+  for (const Explanation& e : near.explanations)
+    if (e.members.size() == 1) search.singles[e.members.front()].start = e.fit.unknowns;
+}
+
 }  // namespace
 
 void fit_near(ExplanationSearch& search, const Inference& near) {
@@ -37,7 +45,7 @@ void fit_near(ExplanationSearch& search, const Inference& near) {
   if (is_within_noise(near.null.fit.chi_squared, near.degrees_of_freedom))
     fit_singles(search);
   else
-    search.take_gains(std::vector<Screening>(search.candidates.size()));
+    take_singles(search, near);
   for (std::size_t i = 0; i < std::min(most_near, near.explanations.size()); ++i) {
     Explanation e;
     e.members = near.explanations[i].members;
