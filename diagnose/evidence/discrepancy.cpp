@@ -266,4 +266,14 @@ Eigen::VectorXd Discrepancy::unmixed(const Eigen::VectorXd& rows) const {
   return all;
 }
 
+Eigen::VectorXd Discrepancy::by_balance(const Eigen::VectorXd& rows) const {
+  Eigen::VectorXd all(rows.size());
+  Index first = 0;
+  for (const auto& part : parts_) {
+    all.segment(first, part->size()) = part->by_balance(rows.segment(first, part->size()));
+    first += part->size();
+  }
+  return all;
+}
+
 }  // namespace secular

@@ -83,6 +83,8 @@ class Evidence {
   }
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
+  /// Rows with what balances of the equations of motion tell apart from the rest, where that is spread over readings.
+  virtual Eigen::VectorXd by_balance(const Eigen::VectorXd& rows) const { return rows; }
 };
 
 /// What differs from record to record and explains nothing (docs/inference.md (24), (26), (42)).
@@ -142,6 +144,7 @@ class Discrepancy {
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const;
   Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
+  Eigen::VectorXd by_balance(const Eigen::VectorXd& rows) const;
   /// Share of the variance of what this column of rows tells that is the records' own: how their frequencies
   /// scatter (docs/inference.md (32)).
   double share_of_records(Eigen::VectorXd column) const;

@@ -211,11 +211,13 @@ class Cutter {
     return m;
   }
 
+  // Of the samples that are compared, those of one record.
+  Index share_of_a_record() const { return std::max<Index>(1, cut_.most_samples / records_); }
+
   // With which a decay is its share of the samples that are compared. Every sample has noise of its own: one that
   // is left out is information lost.
   Index thinning_of_whole(const Movement& m) const {
-    const Index share = std::max<Index>(1, cut_.most_samples / records_);
-    return (m.part.samples.rows() - m.first + share - 1) / share;
+    return 1 + (m.part.samples.rows() - m.first - 1) / share_of_a_record();
   }
 
   // Samples of a segment, of which all records together hold as many as are compared.
@@ -244,7 +246,7 @@ class Cutter {
 
   // Samples of a decay in one piece, of which `length` are a few turns: to the end of the last few that hold more
   // than noise (chi-squared at three standard deviations), and a few turns more, which tell where it came to rest.
-  // A model that holds tells the motion far below the noise of one sample.
+  // A model that holds tells the motion far below the noise of one sample. No more than the record's share.
   Index length_to_rest(const Movement& m, Index length, const Eigen::VectorXd& noise) const {
     const double most = 1 + 3 * std::sqrt(2 / static_cast<double>(length));
     const Index pieces = m.available() / length;
@@ -253,7 +255,8 @@ class Cutter {
       const Eigen::VectorXd piece = piece_of(m, length, held, 0);
       if (!((piece.array() - piece.mean()).square().mean() > most * noise(0) * noise(0))) break;
     }
-    return held + 1 < pieces ? (held + 1) * length : m.available();
+    const Index wanted = held + 1 < pieces ? (held + 1) * length : m.available();
+    return std::min(wanted, std::max(length, share_of_a_record()));
   }
 
   // By piece, the square of the motion over that of what it is known to (docs/inference.md (40)): of its own noise

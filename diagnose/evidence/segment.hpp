@@ -21,6 +21,7 @@ struct Segment {
   std::size_t record = 0;
   int fold = 0;
   int folds = 1;  ///< of its samples, one after the other; the first is `fold`, each fold_step from the last
+  bool is_in_folds() const { return folds > 1; }
   double time_s = 0, in_record_s = 0;  ///< of its middle: of record_times, since the record began
   /// By mode, relative: the record's natural frequencies next to those of all. Empty: none differs.
   Eigen::VectorXd frequency_offset;

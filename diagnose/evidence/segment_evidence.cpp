@@ -40,7 +40,9 @@ std::vector<SegmentNoise> SegmentEvidence::noise_at(const VectorXd& unknowns,
   const auto modes = static_cast<Index>(model_.modes());
   if (noise_is_known_) return {segments_.size(), {VectorXd::Ones(2 * modes), 1}};
   const std::vector<LeftOfSegment> left = left_of_segments(segments_, seen_errors(model_, segments_, unknowns));
-  return noise_of_segments(segments_, left, unknowns.head(modes), before);
+  std::vector<SegmentNoise> noise = noise_of_segments(segments_, left, unknowns.head(modes), before);
+  widen_to_noise_beside_motion(segments_, left, unknowns.head(modes), noise);
+  return noise;
 }
 
 void SegmentEvidence::set_frequency_offsets(const std::map<std::size_t, VectorXd>& offsets) {

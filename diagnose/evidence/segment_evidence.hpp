@@ -34,6 +34,7 @@ class SegmentEvidence : public Evidence {
   Eigen::Index measured_rows() const override { return noise_in_use().empty() || noise_is_known_ ? 0 : freedom(); }
   void set_frequency_offsets(const std::map<std::size_t, Eigen::VectorXd>& offsets) override;
   void evaluate(const Eigen::VectorXd& unknowns, Eigen::Ref<Eigen::VectorXd> rows) const override;
+  Eigen::VectorXd by_balance(const Eigen::VectorXd& rows) const override { return this->rows().by_balance(rows); }
   Eigen::MatrixXd between_samples(const Eigen::VectorXd& unknowns, const BetweenSamples& of_blows) const override;
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const override;
@@ -49,8 +50,6 @@ class SegmentEvidence : public Evidence {
   std::vector<Segment> predicted(std::size_t record, const Eigen::VectorXd& unknowns, double level) const;
   /// Evidence of other segments by the same model and sensors, whose noise is what they say.
   SegmentEvidence of_known_noise(std::vector<Segment> segments) const;
-  /// Of size() rows, as SegmentRows::put_in_time(). After freeze().
-  void put_in_time(Eigen::Ref<Eigen::MatrixXd> columns) const { rows().put_in_time(columns); }
   Eigen::VectorXd mean_square_error(const Eigen::VectorXd& unknowns) const {
     return secular::mean_square_error(model_, segments_, unknowns);
   }

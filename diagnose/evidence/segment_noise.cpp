@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnose/evidence/noise_beside_motion.hpp"
 #include "diagnose/evidence/noise_levels.hpp"
 #include "diagnose/evidence/noise_of_decays.hpp"
 #include "diagnose/thresholds.hpp"
@@ -94,6 +95,24 @@ std::vector<SegmentNoise> noise_of_segments(std::span<const FrozenSegment> segme
     }
   }
   return found;
+}
+
+void widen_to_noise_beside_motion(std::span<const FrozenSegment> segments, std::span<const LeftOfSegment> left,
+                                  const VectorXd& natural_frequency, std::vector<SegmentNoise>& noise) {
+  std::vector<SampledRest> rests;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& s = segments[i].segment;
+    const auto samples = static_cast<std::ptrdiff_t>(s.response.cols());
+    if (!s.is_in_folds()) continue;
+    for (auto first = left[i].rest.begin(); first != left[i].rest.end(); first += samples)
+      rests.push_back({{first, first + samples}, s.sample_s});
+  }
+  const double wider = std::sqrt(noise_beside_motion(rests, natural_frequency));
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (!segments[i].segment.is_in_folds() || noise[i].coloured) continue;
+    noise[i].change_sd *= wider;
+    noise[i].rest_sd *= wider;
+  }
 }
 
 }  // namespace secular

@@ -43,4 +43,9 @@ std::vector<SegmentNoise> noise_of_segments(std::span<const FrozenSegment> segme
                                             const Eigen::VectorXd& natural_frequency,
                                             std::span<const SegmentNoise> before);
 
+/// Of decays in one piece, whose numbers are told by what is at the motion's frequencies: white noise is what noise
+/// beside these is (docs/inference.md (66)), where that is more.
+void widen_to_noise_beside_motion(std::span<const FrozenSegment> segments, std::span<const LeftOfSegment> left,
+                                  const Eigen::VectorXd& natural_frequency, std::vector<SegmentNoise>& noise);
+
 }  // namespace secular

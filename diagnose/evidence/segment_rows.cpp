@@ -49,8 +49,11 @@ void SegmentRows::fill(std::size_t segment, VectorXd error, Eigen::Ref<VectorXd>
   const auto& [of_state, of_change, foreign] = f.directions;
   error /= f.widening;
   error -= of_state * (of_state.transpose() * error);
-  const VectorXd changes = of_change.transpose() * error;
-  error -= of_change * changes;
+  VectorXd changes = of_change.transpose() * error;
+  if (f.segment.is_in_folds())
+    changes.setZero();
+  else
+    error -= of_change * changes;
   auto rest = rows.tail(error.size());
   if (noise.empty()) {
     rows.head(changes.size()) = changes;
@@ -63,14 +66,18 @@ void SegmentRows::fill(std::size_t segment, VectorXd error, Eigen::Ref<VectorXd>
   rest /= std::max(1.0, own.disturbance);
 }
 
-void SegmentRows::put_in_time(Eigen::Ref<Eigen::MatrixXd> columns) const {
+VectorXd SegmentRows::by_balance(VectorXd rows) const {
   const std::vector<Index> first = begins();
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Eigen::MatrixXd& of_change = segments[i].directions.of_change;
-    auto changes = columns.middleRows(first[i], of_change.cols());
-    columns.middleRows(first[i] + of_change.cols(), of_change.rows()) += of_change * changes;
-    changes.setZero();
+    const FrozenSegment& f = segments[i];
+    if (!f.segment.is_in_folds()) continue;
+    const Eigen::MatrixXd& of_change = f.directions.of_change;
+    auto rest = rows.segment(first[i] + of_change.cols(), of_change.rows());
+    const VectorXd changes = of_change.transpose() * rest;
+    rest -= of_change * changes;
+    rows.segment(first[i], changes.size()) = changes;
   }
+  return rows;
 }
 
 Index freedom_of(const SegmentRows& rows) {

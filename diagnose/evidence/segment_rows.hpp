@@ -15,7 +15,8 @@ std::vector<RowLabel> segment_labels(const SegmentModel& model, const Segment& s
 
 /// Rows of frozen segments, one behind the other. The state is eliminated to first order about its best value. The
 /// first rows of a segment are the errors that a change of every mode's stiffness and damping would make, the
-/// conservative and the dissipative part of the discrepancy; the others hold the rest.
+/// conservative and the dissipative part of the discrepancy; the others hold the rest. Those of a segment in folds are
+/// zero: its samples hold everything, so that a fold that is left out takes its part of it along.
 struct SegmentRows {
   const SegmentModel& model;
   std::span<const FrozenSegment> segments;
@@ -29,9 +30,9 @@ struct SegmentRows {
   std::vector<Eigen::Index> begins() const;
   /// From errors of a segment's samples, as its rows see them.
   void fill(std::size_t segment, Eigen::VectorXd error, Eigen::Ref<Eigen::VectorXd> rows) const;
-  /// Rows, or their slopes, sample by sample: the first ones of each segment go back along what they are the errors
-  /// of, and are zero. Where errors are white, sums of squares and products stay.
-  void put_in_time(Eigen::Ref<Eigen::MatrixXd> columns) const;
+  /// The rows of a segment in folds with the first ones apart, as those of other segments are (of white noise; sums
+  /// of squares stay).
+  Eigen::VectorXd by_balance(Eigen::VectorXd rows) const;
 };
 
 /// How many of the rows are independent of each other.

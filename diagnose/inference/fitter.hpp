@@ -49,6 +49,7 @@ class Fitter {
   double rows() const { return static_cast<double>(discrepancy_.freedom()); }
   /// Chi-squared of these unknowns among the errors as they are.
   double left_by(const Eigen::VectorXd& unknowns) const { return discrepancy_(unknowns).squaredNorm(); }
+  std::vector<RowLabel> labels() const { return discrepancy_.labels(); }
   /// Whether anything is allowed for that records have of their own.
   bool admits_own() const { return discrepancy_.admits_own(); }
 

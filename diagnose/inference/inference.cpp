@@ -5,8 +5,10 @@
 
 #include "diagnose/inference/explanation_search.hpp"
 #include "diagnose/inference/fits_afresh.hpp"
+#include "diagnose/inference/near_fits.hpp"
 #include "diagnose/inference/null_fit.hpp"
 #include "diagnose/inference/pair_fits.hpp"
+#include "diagnose/inference/parts_of_rows.hpp"
 #include "diagnose/inference/single_fits.hpp"
 #include "diagnose/inference/weighing.hpp"
 #include "numerics/in_parallel.hpp"
@@ -87,10 +89,20 @@ void settle(ExplanationSearch& search) {
     search.take_gains(search.fitter.screen(search.result.null.fit, search.candidates));
 }
 
+// Of what parts of the best explanation's rows tell over what independent rows make of it: what a motion of many
+// turns is missed by goes on from row to row, and all of it together tells no more than a few rows would.
+double dispersion_of_parts(const ExplanationSearch& search) {
+  const Explanation* best = &search.result.null;
+  for (const Explanation& e : search.found)
+    if (e.fit.rank > 0 && e.fit.chi_squared < best->fit.chi_squared) best = &e;
+  return agreement_of_parts(best->fit, parts_by_fold(search.fitter.labels())).dispersion();
+}
+
 Inference weighed(ExplanationSearch& search) {
-  Inference result = std::move(search.result);
-  double dispersion = search.dispersion_of(result.null);
+  double dispersion = search.dispersion_of(search.result.null);
   for (const Explanation& e : search.found) dispersion = std::min(dispersion, search.dispersion_of(e));
+  if (search.options.near != nullptr) dispersion = std::max(dispersion, dispersion_of_parts(search));
+  Inference result = std::move(search.result);
   result.dispersion = std::max(1.0, dispersion);
   result.price = search.price;
   result.explanations = std::move(search.found);
@@ -100,11 +112,7 @@ Inference weighed(ExplanationSearch& search) {
   return result;
 }
 
-}  // namespace
-
-Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const VectorXd& start,
-                const std::vector<std::size_t>& own, const InferenceOptions& options) {
-  ExplanationSearch search(discrepancy, candidates, own, options, start.size());
+void search_from(ExplanationSearch& search, const VectorXd& start) {
   fit_null(search, start);
   fit_singles(search);
   if (search.found.empty() && search.level != finest_level) {
@@ -114,6 +122,19 @@ Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidat
   if (!begin_afresh(search, start)) descend(search);
   add_pairs(search);
   if (start_afresh(search, start)) add_pairs(search);
+}
+
+}  // namespace
+
+Inference infer(Discrepancy& discrepancy, const std::vector<Candidate>& candidates, const VectorXd& start,
+                const std::vector<std::size_t>& own, const InferenceOptions& options) {
+  ExplanationSearch search(discrepancy, candidates, own, options, start.size());
+  if (options.near != nullptr) {
+    fit_near(search, *options.near);
+    add_pairs(search);
+  } else {
+    search_from(search, start);
+  }
   settle(search);
   if (options.progress) options.progress(search.fitted, search.fitted);
   return weighed(search);

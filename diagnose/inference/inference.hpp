@@ -32,6 +32,8 @@ struct InferenceOptions {
   std::vector<std::size_t> anchors;
   double prior_second = 1e-3;    ///< prior odds of a second effect beside a first
   double prior_open_law = 1e-3;  ///< of a single law outside of the catalogue instead of one in it
+  /// Of other rows of the same records, with the same candidates: its explanations are where fits begin as well.
+  const Inference* near = nullptr;
 };
 
 /// Fits every candidate that shows at first order, with all `own` unknowns free beside it, and pairs of the best

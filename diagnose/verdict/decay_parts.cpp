@@ -4,82 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
-#include <numbers>
-#include <numeric>
 
 #include "diagnose/thresholds.hpp"
 #include "numerics/distribution.hpp"
-#include "numerics/median.hpp"
-#include "numerics/third_differences.hpp"
 
 namespace secular {
-namespace {
-
-using Eigen::Index;
-using Eigen::VectorXd;
-
-/// Where noise is read on either side of a mode, in shares of its frequency: beyond the line of a decay, short of
-/// its neighbours' harmonics.
-constexpr double inner_reach = 0.15, outer_reach = 0.5;
-
-/// Lines that are read on either side, of one record.
-constexpr Index most_lines = 64;
-
-/// Of one exponential law, over the median of many; the relative variance of that median is one over their number.
-constexpr double exponential_mean_of_median = 1 / std::numbers::ln2, relative_variance_of_median = 2.08;
-
-/// Of a normal law: 95 % lie above its lower end.
-constexpr double one_sided_95 = 1.645;
-
-double power_at(const std::vector<double>& values, double radians_a_sample) {
-  std::complex<double> sum = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    sum += values[i] * std::polar(1.0, -radians_a_sample * static_cast<double>(i));
-  return std::norm(sum) / static_cast<double>(values.size());
-}
-
-double white_power(const std::vector<double>& values) {
-  const std::vector<double> differences = third_differences(values);
-  const double squares = std::inner_product(differences.begin(), differences.end(), differences.begin(), 0.0);
-  return squares / third_difference_variance / std::max<double>(1, static_cast<double>(differences.size()));
-}
-
-// Powers of lines from `low` to `high`, radians a sample, over that of white noise.
-void add_powers(const std::vector<double>& values, double low, double high, double white,
-                std::vector<double>& powers) {
-  const double line = 2 * std::numbers::pi / static_cast<double>(values.size());
-  const auto first = static_cast<Index>(std::ceil(low / line)),
-             last = static_cast<Index>(std::floor(std::min(high, 0.9 * std::numbers::pi) / line));
-  const Index step = std::max<Index>(1, (last - first + most_lines) / most_lines);
-  for (Index k = first; k <= last; k += step)
-    powers.push_back(power_at(values, static_cast<double>(k) * line) / white);
-}
-
-}  // namespace
-
-double noise_beside_motion(std::span<const LeftInChannel> left, const VectorXd& natural_frequency) {
-  std::vector<double> powers;
-  for (const LeftInChannel& channel : left) {
-    const double white = white_power(channel.rest);
-    if (!(white > 0)) continue;
-    for (const double w : natural_frequency) {
-      const double at = w * channel.sample_s;
-      add_powers(channel.rest, (1 - outer_reach) * at, (1 - inner_reach) * at, white, powers);
-      add_powers(channel.rest, (1 + inner_reach) * at, (1 + outer_reach) * at, white, powers);
-    }
-  }
-  if (powers.empty()) return 1;
-  const double error = std::sqrt(relative_variance_of_median / static_cast<double>(powers.size()));
-  return std::max(1.0, exponential_mean_of_median * upper_median(std::move(powers)) * (1 - one_sided_95 * error));
-}
 
 double PartsOfDecays::p_value() const {
   double least = 1;
   for (const PartsAgreement* parts : {&folds, &large})
     if (parts->freedom > 0)
-      least = std::min(least, chi_squared_upper_tail(parts->chi_squared / noise_beside, parts->freedom));
+      least = std::min(least, chi_squared_upper_tail(parts->chi_squared, parts->freedom));
   return std::min({1.0, 3 * least, 3 * laws.p_value});
 }
 
@@ -90,7 +26,7 @@ bool PartsOfDecays::differ() const {
 bool PartsOfDecays::only_records_differ() const {
   const double freedom = folds.freedom - large.freedom;
   return of_records && differ() && freedom > 0 &&
-         !(chi_squared_upper_tail((folds.chi_squared - large.chi_squared) / noise_beside, freedom) <
+         !(chi_squared_upper_tail(folds.chi_squared - large.chi_squared, freedom) <
            diagnose_thresholds().gap_alarm);
 }
 
@@ -101,16 +37,11 @@ std::optional<PartsOfDecays> parts_of_decays(const Comparison& comparison, const
     return campaign.records[label.record].kind == RecordKind::free_decay;
   });
   if (!only_decays || !comparison.segment_evidence) return {};
-  Refit in_time = fit;
-  comparison.segment_evidence->put_in_time(in_time.rows);
-  comparison.segment_evidence->put_in_time(in_time.jacobian);
-  PartsOfDecays parts{agreement_of_parts(in_time, parts_by_fold(labels)),
-                      agreement_of_parts(in_time, large_parts(in_time, labels))};
+  PartsOfDecays parts{agreement_of_parts(fit, parts_by_fold(labels)),
+                      agreement_of_parts(fit, large_parts(fit, labels))};
   if (!(parts.folds.freedom > 0)) return {};
-  parts.noise_beside = noise_beside_motion(comparison.segment_evidence->left(fit.unknowns),
-                                           fit.unknowns.head(static_cast<Index>(modes)));
   parts.of_records = labels.front().record != labels.back().record;
-  if (modes == 1) parts.laws = unseen_laws(comparison, in_time, parts.noise_beside);
+  if (modes == 1) parts.laws = unseen_laws(comparison, fit);
   return parts;
 }
 
@@ -119,7 +50,7 @@ LackOfFit lack_of_parts(const PartsOfDecays& parts, std::size_t decays) {
   LackOfFit test;
   test.name = "numbers of parts of the decays";
   test.conditions = decays;
-  test.f = worse.chi_squared / parts.noise_beside / worse.freedom;
+  test.f = worse.chi_squared / worse.freedom;
   test.misfit_ratio = std::sqrt(test.f);
   test.scatter_ratio = 1;
   test.beyond = worse.chi_squared - worse.freedom;

@@ -3,11 +3,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "diagnose/evidence/left_in_channels.hpp"
 #include "diagnose/inference/parts_of_rows.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/unseen_laws.hpp"
@@ -20,15 +18,13 @@ namespace secular {
 /// differs between few parts.
 struct PartsOfDecays {
   PartsAgreement folds, large;
-  /// Noise beside the motion's frequencies over white noise, in power, as far as it is surely more.
-  double noise_beside = 1;
   UnseenLaws laws = {};     ///< of a model of one mode
   bool of_records = false;  ///< whether the large parts are records
 
   const PartsAgreement& worse() const { return large.p_value < folds.p_value ? large : folds; }
-  /// Variance along the numbers, in units of white noise: noise about the motion's frequencies is in it.
+  /// Variance along the numbers, in units of the noise beside the motion's frequencies.
   double dispersion() const { return std::max(folds.dispersion(), large.dispersion()); }
-  /// Of the part of it that noise beside the motion does not explain; two looks allowed for.
+  /// Two looks, and the laws, allowed for.
   double p_value() const;
   bool differ() const;
   /// Whether it is records that differ, each of which holds by itself: they scatter, and no law is missing.
@@ -38,10 +34,6 @@ struct PartsOfDecays {
 /// Of a fit to decays in one piece each; none where there is anything but decays, or where it sees nothing.
 std::optional<PartsOfDecays> parts_of_decays(const Comparison& comparison, const Refit& fit,
                                              const Campaign& campaign, std::size_t modes);
-
-/// docs/inference.md (66): power beside the natural frequencies (rad/s) in what is left, over that of the white
-/// noise that third differences show; the lower end of its 95 % interval, and at least 1.
-double noise_beside_motion(std::span<const LeftInChannel> left, const Eigen::VectorXd& natural_frequency);
 
 /// As one equation.
 LackOfFit lack_of_parts(const PartsOfDecays& parts, std::size_t decays);

@@ -7,12 +7,14 @@
 #include <optional>
 
 #include "diagnose/inference/fold_scatter.hpp"
+#include "diagnose/inference/parts_of_rows.hpp"
 #include "diagnose/thresholds.hpp"
 #include "diagnose/verdict/comparison.hpp"
 #include "diagnose/verdict/conclusion.hpp"
 #include "diagnose/verdict/gap_detection.hpp"
 #include "diagnose/verdict/held_out_gap.hpp"
 #include "diagnose/verdict/naming.hpp"
+#include "diagnose/verdict/one_piece.hpp"
 #include "diagnose/verdict/rivals.hpp"
 #include "diagnose/verdict/scattered_inference.hpp"
 
@@ -45,9 +47,10 @@ class OpenDiagnosis::Stages {
         comparison_(std::move(comparison)),
         free_(comparison_.fitted_beside(sides.own)) {}
 
-  void run() {
+  // `near`: see InferenceOptions.
+  void run(const Inference* near = nullptr) {
     take_comparison();
-    infer_all();
+    infer_all(near);
     if (!result_.frequency_scatter.suffices) {
       result_.verdict = "unknown";
       return;
@@ -63,6 +66,8 @@ class OpenDiagnosis::Stages {
 
   const Diagnosis& result() const { return result_; }
 
+  const Inference& inference() const { return inference_; }
+  bool has_decays() const { return compares_decays(comparison_, campaign_); }
   const std::vector<StateForce>& forces() const { return comparison_.forces; }
   const Refit& fit() const { return best_ != nullptr ? best_->fit : inference_.null.fit; }
 
@@ -105,8 +110,9 @@ class OpenDiagnosis::Stages {
     result_.gap.metric = metric;
   }
 
-  void infer_all() {
+  void infer_all(const Inference* near) {
     InferenceOptions inference_options;
+    inference_options.near = near;
     inference_options.threads = options_.threads;
     inference_options.progress = options_.progress;
     for (const std::size_t s : free_)
@@ -248,6 +254,7 @@ class OpenDiagnosis::Stages {
     const double there_was = judged_ ? judged_->rows.squaredNorm() : inference_.null.fit.chi_squared;
     result_.residual_structure = residual_structure_of(best_->fit, result_.labels, freedom(),
                                                        std::max(0.0, there_was - best_->fit.chi_squared));
+    if (options_.whole_decays) result_.residual_structure.smooth_p_value = p_value_of_parts();
     const SymbolUnits units(campaign_, model_);
     const CauseReporter reporter{comparison_.candidates, comparison_.unknown_names(model_),
                                  [&](std::size_t unknown) { return units.of(unknown); },
@@ -269,6 +276,12 @@ class OpenDiagnosis::Stages {
                   what_speaks_against(contest, result_.gap.noise_misjudged, result_.unsteady, closing)));
     if (result_.verdict == "approximate") approximate(contest.named, naming, closing, gap);
     return naming;
+  }
+
+  // That parts of decays in one piece differ by as much in the numbers of the best explanation.
+  double p_value_of_parts() const {
+    const PartsAgreement parts = agreement_of_parts(best_->fit, parts_by_fold(result_.labels));
+    return parts.freedom > 0 ? parts.p_value : 1;
   }
 
   // The best explanation is not all of the gap. Where the model's own numbers, fitted, close most of that of the
@@ -305,7 +318,7 @@ class OpenDiagnosis::Stages {
     if (result_.verdict == "cause" && best_)
       for (const std::size_t m : best_->members)
         if (comparison_.candidates[m].effect == result_.cause) named = &comparison_.candidates[m];
-    const VectorXd rows = gap_rows();
+    const VectorXd rows = discrepancy().by_balance(gap_rows());
     result_.where = gap_shares(rows, discrepancy().unmixed(rows), result_.labels, named);
   }
 
@@ -339,9 +352,9 @@ class OpenDiagnosis::Stages {
 };
 
 OpenDiagnosis::OpenDiagnosis(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
-                             const DiagnosisOptions& options)
+                             const DiagnosisOptions& options, const Inference* near)
     : stages_(std::make_unique<Stages>(sides, compare(sides, effects, options), options)) {
-  stages_->run();
+  stages_->run(near);
 }
 
 OpenDiagnosis::OpenDiagnosis(OpenDiagnosis&&) noexcept = default;
@@ -370,6 +383,14 @@ void OpenDiagnosis::make_unknown(const std::string& why) {
 
 const Refit& OpenDiagnosis::fit() const {
   return stages_->fit();
+}
+
+const Inference& OpenDiagnosis::inference() const {
+  return stages_->inference();
+}
+
+bool OpenDiagnosis::holds_decays() const {
+  return stages_->has_decays();
 }
 
 const std::vector<StateForce>& OpenDiagnosis::forces() const {

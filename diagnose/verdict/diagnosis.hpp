@@ -68,11 +68,11 @@ struct Diagnosis {
 bool is_told(const Diagnosis& diagnosis);
 
 /// A diagnosis up to its verdict, for those who compare several before they ask one for all that it has to say.
-/// Arguments and errors as of diagnose().
+/// Arguments and errors as of diagnose(); `near`: see InferenceOptions.
 class OpenDiagnosis {
  public:
   OpenDiagnosis(const CampaignAndModel& sides, const std::vector<EquationEffect>& effects,
-                const DiagnosisOptions& options);
+                const DiagnosisOptions& options, const Inference* near = nullptr);
   OpenDiagnosis(OpenDiagnosis&&) noexcept;
   OpenDiagnosis& operator=(OpenDiagnosis&&) noexcept;
   ~OpenDiagnosis();
@@ -89,6 +89,9 @@ class OpenDiagnosis {
   void make_unknown(const std::string& why);
   /// Of the explanation that the verdict is about, or of the model as it is.
   const Refit& fit() const;
+  /// Of all explanations.
+  const Inference& inference() const;
+  bool holds_decays() const;
   /// With the scales that its strengths are of.
   const std::vector<StateForce>& forces() const;
   /// Adds what no verdict waits for, and much time goes into: the next experiment, and motions simulated before and

@@ -13,10 +13,9 @@
 
 #include "diagnose/inference/directions.hpp"
 #include "diagnose/inference/fold_scatter.hpp"
-#include "diagnose/inference/null_fit.hpp"
 #include "diagnose/thresholds.hpp"
-#include "diagnose/verdict/decay_parts.hpp"
 #include "diagnose/verdict/foreign_search.hpp"
+#include "diagnose/verdict/one_piece.hpp"
 #include "diagnose/verdict/told_disturbances.hpp"
 #include "estimator/identification/value_errors.hpp"
 #include "input/input_error.hpp"
@@ -78,15 +77,6 @@ struct Attempt {
   bool suffices() const { return has_converged() && !is_more_than_noise(left); }
 };
 
-void bring_to_rest(Attempt& attempt) {
-  Discrepancy& discrepancy = attempt.fitted.comparison.discrepancy;
-  Inference& inference = attempt.fitted.inference;
-  Refit& fit = inference.null.fit;
-  fit = bring_to_rest(discrepancy, std::move(fit), options_of_fit(attempt.options));
-  inference.degrees_of_freedom = static_cast<double>(discrepancy.freedom() - fit.rank);
-  attempt.left = {fit.chi_squared, inference.degrees_of_freedom};
-}
-
 Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const std::map<std::string, double>& start,
                 const std::vector<Disturbance>& found, FitCount& count) {
   count.expect(usual_fits);
@@ -106,7 +96,7 @@ Attempt attempt(const CampaignAndModel& sides, DiagnosisOptions options, const s
       fitted = std::move(*beside);
   }
   Attempt at_rest{std::move(fitted), std::move(options), std::move(foreign), {}, sides.model.symbols.size()};
-  bring_to_rest(at_rest);
+  at_rest.left = bring_to_rest(at_rest.fitted, at_rest.options);
   return at_rest;
 }
 
@@ -133,40 +123,22 @@ Attempt best_attempt(const CampaignAndModel& sides, const DiagnosisOptions& opti
   return std::move(*best);
 }
 
-std::size_t rows_of_decays(const Comparison& comparison, const Campaign& campaign) {
-  const std::vector<RowLabel> labels = comparison.discrepancy.labels();
-  return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), [&](const RowLabel& label) {
-    return campaign.records[label.record].kind == RecordKind::free_decay;
-  }));
-}
-
-// Why decays are not fitted in one piece; empty: nothing speaks against it. Mains and zeros keep their course over
-// a segment only, and beside noise with a colour a law that is missing hardly shows.
+// Why decays are not fitted in one piece; empty: nothing speaks against it.
 std::string against_one_piece(const Attempt& segments) {
-  const DiagnosisOptions& options = segments.options;
-  const bool has_tones = std::any_of(options.tones.begin(), options.tones.end(),
-                                     [](const auto& of_record) { return !of_record.second.empty(); });
   if (!segments.has_converged()) return "the fit by the full equations did not come to an end";
-  if (has_tones) return "tones that are not the structure's stand beside the motion";
-  if (!options.wandering.empty()) return "a sensor's zero wanders";
-  if (!options.coloured.empty()) return "noise has a colour";
-  return {};
+  return against_one_piece(segments.options);
 }
 
 // From a fit in which segments of decays have states of their own, the same with one state a decay
 // (docs/inference.md, decays in one piece).
 std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides, FitCount& count) {
-  DiagnosisOptions options = segments.options;
-  if (!against_one_piece(segments).empty() || rows_of_decays(segments.fitted.comparison, sides.campaign) == 0)
-    return {};
+  if (!against_one_piece(segments).empty() || !compares_decays(segments.fitted.comparison, sides.campaign)) return {};
   count.expect(usual_fits_in_one_piece);
+  DiagnosisOptions options = segments.options;
   options.whole_decays = true;
-  FittedAlone fitted{compare(sides, {}, options), segments.fitted.inference, segments.fitted.late};
-  Attempt whole{std::move(fitted), std::move(options), segments.foreign, {}, sides.model.symbols.size()};
-  bring_to_rest(whole);
-  if (whole.has_converged())
-    whole.parts = parts_of_decays(whole.fitted.comparison, whole.fitted.inference.null.fit, sides.campaign,
-                                  sides.model.modes());
+  InOnePiece fit = model_in_one_piece(sides, options, segments.fitted.inference, segments.fitted.late);
+  Attempt whole{std::move(fit.fitted), std::move(options), segments.foreign, fit.left, sides.model.symbols.size()};
+  if (whole.has_converged()) whole.parts = std::move(fit.parts);
   return whole;
 }
 
@@ -186,7 +158,7 @@ VectorXd moved_by_laws(const Attempt& attempt) {
 // The same of what parts of decays differ by (docs/inference.md (67)).
 VectorXd hidden_by_parts(const Attempt& whole) {
   const PartsAgreement& worse = whole.parts->worse();
-  const RowsLeft left{worse.chi_squared, worse.freedom * whole.parts->noise_beside};
+  const RowsLeft left{worse.chi_squared, worse.freedom};
   return hidden_in(whole.fitted.inference.null.fit, left).cwiseMax(2 * moved_by_laws(whole));
 }
 

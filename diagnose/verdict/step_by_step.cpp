@@ -11,6 +11,7 @@
 #include "diagnose/verdict/gap_detection.hpp"
 #include "diagnose/verdict/given_numbers.hpp"
 #include "diagnose/verdict/left_content.hpp"
+#include "diagnose/verdict/one_piece.hpp"
 #include "diagnose/verdict/told_disturbances.hpp"
 
 namespace secular {
@@ -43,6 +44,7 @@ class StepByStep {
     // What follows a blow says nothing of effects on what drives it: those are tried before.
     if (has_blows(sides_, options_)) all.push_back({.turn = Allowance::blows, .blows_as_decays = true});
     try_all(in_turn(std::move(all)));
+    try_in_one_piece();
     result.diagnosis = std::move(*best_).finish();
     result.disturbances =
         told_disturbances(std::move(foreign_.found), result.diagnosis, options_, sides_.campaign, sides_.model);
@@ -82,6 +84,26 @@ class StepByStep {
     }
   }
 
+  // States of segments' own take up most of what a slow law does along a decay. A cause, or what closes nearly all,
+  // needs no more; a campaign without a gap is asked by the model as it is. Rows of few turns are where fits begin: among many turns there are
+  // minima a whole turn off.
+  void try_in_one_piece() {
+    const Diagnosis& segments = best_->so_far();
+    const bool is_known = segments.verdict == "cause" || segments.verdict == "approximate" ||
+                          how_much(segments) == Accounted::doubtful || blows_;
+    if (is_known || !best_->holds_decays() || !against_one_piece(options_).empty()) return;
+    allow(best_allowance_);
+    DiagnosisOptions options = options_;
+    options.whole_decays = true;
+    options.forces = best_->forces();
+    options.keeps_scales = true;
+    if (!segments.gap.detected && !model_in_one_piece(sides_, options, best_->inference(), false).misses()) return;
+    OpenDiagnosis whole(sides_, effects_, options, &best_->inference());
+    const Diagnosis& found = whole.so_far();
+    if (found.gap.detected && (!segments.gap.detected || how_much(found) >= how_much(segments)))
+      best_ = std::move(whole);
+  }
+
   // A law is told where it is likelier than frequencies that scatter about the model as it is, also where too few
   // records tell whether these follow the settings.
   bool may_be_scatter(const OpenDiagnosis& plain, bool blows_as_decays) {
@@ -110,8 +132,10 @@ class StepByStep {
     doubt_what_may_be_of_records(fresh, is_plain, false);
     const bool suffices = is_plain && fresh.leaves_noise_alone();
     if (!best_ || accounts_for_more(fresh.so_far(), best_->so_far()) ||
-        (suffices && how_much(fresh.so_far()) >= how_much(best_->so_far())))
+        (suffices && how_much(fresh.so_far()) >= how_much(best_->so_far()))) {
       best_ = std::move(fresh);
+      best_allowance_ = allowance;
+    }
     return suffices || how_much(best_->so_far()) == Accounted::all;
   }
 
@@ -147,6 +171,7 @@ class StepByStep {
   Eigen::VectorXd scatter_alone_;         // of frequencies about the model as it is
   std::set<bool> known_without_scatter_;  // late or not: what a diagnosis says whose frequencies are all the same
   std::optional<OpenDiagnosis> best_;
+  Allowance best_allowance_;  // beside which it was found
   std::optional<BlowsAlone> blows_;
 };
 

@@ -72,7 +72,7 @@ LawColumns columns_of(const Comparison& comparison, const Refit& fit) {
   double largest = 0;
   Index row = 0;
   for (std::size_t r = 0; r < records.size(); ++r) {
-    row += 2;  // changes of stiffness and damping, which are put in time
+    row += 2;  // changes of stiffness and damping, which are in the readings
     for (const Segment& segment : comparison.segment_evidence->predicted(records[r], fit.unknowns, 1))
       for (Index c = 0; c < channels; ++c) {
         const Motion motion = motion_of(segment, c, fit.unknowns(0));
@@ -94,15 +94,15 @@ bool UnseenLaws::is_seen() const {
   return p_value < diagnose_thresholds().gap_alarm;
 }
 
-UnseenLaws unseen_laws(const Comparison& comparison, const Refit& in_time, double noise) {
+UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit) {
   UnseenLaws result;
-  result.moved = VectorXd::Zero(static_cast<Index>(in_time.free.size()));
-  if (in_time.rank == 0 || in_time.scale.size() != result.moved.size()) return result;
-  const LawColumns columns = columns_of(comparison, in_time);
-  const MatrixXd to_unknowns = Directions(in_time.jacobian).to_orthonormal(),
-                 model = in_time.jacobian * to_unknowns;
+  result.moved = VectorXd::Zero(static_cast<Index>(fit.free.size()));
+  if (fit.rank == 0 || fit.scale.size() != result.moved.size()) return result;
+  const LawColumns columns = columns_of(comparison, fit);
+  const MatrixXd to_unknowns = Directions(fit.jacobian).to_orthonormal(),
+                 model = fit.jacobian * to_unknowns;
   const MatrixXd begins = Eigen::HouseholderQR<MatrixXd>(columns.of_begins).householderQ() *
-                          MatrixXd::Identity(in_time.rows.size(), columns.of_begins.cols());
+                          MatrixXd::Identity(fit.rows.size(), columns.of_begins.cols());
   double tried = 0, least_p = 1;
   for (std::size_t l = 0; l < laws.size(); ++l) {
     VectorXd law = columns.laws.col(static_cast<Index>(l));
@@ -114,9 +114,9 @@ UnseenLaws unseen_laws(const Comparison& comparison, const Refit& in_time, doubl
     const double left = law.norm();
     if (!(left > least_left * length)) continue;
     tried += 1;
-    const double deviations = std::abs(law.dot(in_time.rows)) / left / std::sqrt(noise);
+    const double deviations = std::abs(law.dot(fit.rows)) / left;
     const VectorXd per_deviation =
-        (in_time.scale.cwiseProduct(to_unknowns * along) / left * std::sqrt(noise)).cwiseAbs();
+        (fit.scale.cwiseProduct(to_unknowns * along) / left).cwiseAbs();
     result.moved = result.moved.cwiseMax(std::sqrt(std::max(0.0, deviations * deviations - 1)) * per_deviation);
     const double p = 2 * normal_upper_tail(deviations);
     if (p >= least_p) continue;

@@ -16,8 +16,7 @@ struct UnseenLaws {
   bool is_seen() const;
 };
 
-/// docs/inference.md (76). `in_time`: a fit to decays in one piece each, rows and slopes put in time
-/// (SegmentEvidence::put_in_time). `noise`: power about the motion over white noise.
-UnseenLaws unseen_laws(const Comparison& comparison, const Refit& in_time, double noise);
+/// docs/inference.md (76). `fit`: to decays in one piece each.
+UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit);
 
 }  // namespace secular

@@ -1,5 +1,5 @@
 // Noise beside a motion's frequency, as far as it is more than white.
-#include "diagnose/verdict/decay_parts.hpp"
+#include "diagnose/evidence/noise_beside_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ constexpr std::size_t samples_left = 4096;
 constexpr double left_sample_s = 0.01, natural = 10;  // rad/s: 63 samples a turn
 
 // What is left of a record: white noise, noise correlated over `time_s`, and a motion of `tone` that dies away.
-LeftInChannel left_of_record(double coloured_sd, double time_s, double tone, std::mt19937_64& random) {
+SampledRest left_of_record(double coloured_sd, double time_s, double tone, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
-  LeftInChannel left;
+  SampledRest left;
   left.sample_s = left_sample_s;
   const double keeps = std::exp(-left_sample_s / time_s);
   double slow = normal(random);
@@ -33,7 +33,7 @@ double mean_noise_beside(double coloured_sd, double time_s, double tone) {
   constexpr int draws = 20;
   double sum = 0;
   for (int draw = 0; draw < draws; ++draw) {
-    const std::vector<LeftInChannel> left{left_of_record(coloured_sd, time_s, tone, random)};
+    const std::vector<SampledRest> left{left_of_record(coloured_sd, time_s, tone, random)};
     sum += noise_beside_motion(left, Eigen::VectorXd::Constant(1, natural));
   }
   return sum / draws;
