@@ -59,8 +59,9 @@ void print_next_experiment(const DiagnosisRun& run) {
 void print_summary(const DiagnosisRun& run, const std::string& folder) {
   const report::PlainNumbers plain(prints_for_programs());
   const Diagnosis& d = run.diagnosis;
-  fmt::print("model {}: {} condition{}, {} rows, {} of the samples\n", run.model->name, d.conditions,
-             d.conditions == 1 ? "" : "s", d.labels.size(), report::format_percent(d.data_used));
+  fmt::print("model {}: {} condition{}, {} rows, {} of the samples{}\n", run.model->name, d.conditions,
+             d.conditions == 1 ? "" : "s", d.labels.size(), report::format_percent(d.data_used),
+             d.decays_in_one_piece ? ", free decays in one piece each" : "");
   fmt::print("gap: {} (p = {:.2g}); {:.3g} times the repeatability", d.gap.detected ? "yes" : "none detected",
              d.gap.p_value, d.gap.before);
   if (d.gap.judged == Judged::given) fmt::print(" as given");

@@ -83,7 +83,8 @@ class Evidence {
   }
   /// Rows before they were made independent of each other, where that mixed them.
   virtual Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return rows; }
-  /// Rows with what balances of the equations of motion tell apart from the rest, where that is spread over readings.
+  /// Rows with what balances of the equations of motion tell apart from the rest, where that is spread over
+  /// readings.
   virtual Eigen::VectorXd by_balance(const Eigen::VectorXd& rows) const { return rows; }
 };
 

@@ -15,8 +15,8 @@ std::vector<RowLabel> segment_labels(const SegmentModel& model, const Segment& s
 
 /// Rows of frozen segments, one behind the other. The state is eliminated to first order about its best value. The
 /// first rows of a segment are the errors that a change of every mode's stiffness and damping would make, the
-/// conservative and the dissipative part of the discrepancy; the others hold the rest. Those of a segment in folds are
-/// zero: its samples hold everything, so that a fold that is left out takes its part of it along.
+/// conservative and the dissipative part of the discrepancy; the others hold the rest. Those of a segment in folds
+/// are zero: its samples hold everything, so that a fold that is left out takes its part of it along.
 struct SegmentRows {
   const SegmentModel& model;
   std::span<const FrozenSegment> segments;

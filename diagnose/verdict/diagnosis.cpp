@@ -106,6 +106,7 @@ class OpenDiagnosis::Stages {
     result_.unsteady = comparison_.unsteady;
     result_.spans = comparison_.spans;
     result_.data_used = comparison_.data_used;
+    result_.decays_in_one_piece = options_.whole_decays && has_decays();
     result_.gap.judged = whose_gap(options_.given);
     result_.gap.metric = metric;
   }

@@ -49,8 +49,9 @@ struct Diagnosis {
   std::optional<OpenLaw> open_law;  ///< where it is a better explanation than any effect or pair of the catalogue
   std::vector<CauseReport> causes;
   std::vector<ParameterMove> parameters_moved;
-  FittedNumbers fitted;  ///< of the best explanation, or of the model as it is where there is no gap
-  double data_used = 0;  ///< see Comparison
+  FittedNumbers fitted;              ///< of the best explanation, or of the model as it is where there is no gap
+  double data_used = 0;              ///< see Comparison
+  bool decays_in_one_piece = false;  ///< free decays have one state each; else one a segment
   ResidualStructure residual_structure;
   LateRecords late;                       ///< beside the explanation, where dwells may be
   FrequencyScatter frequency_scatter;     ///< about the explanation, where it was admitted

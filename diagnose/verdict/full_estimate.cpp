@@ -132,7 +132,8 @@ std::string against_one_piece(const Attempt& segments) {
 // From a fit in which segments of decays have states of their own, the same with one state a decay
 // (docs/inference.md, decays in one piece).
 std::optional<Attempt> in_one_piece(const Attempt& segments, const CampaignAndModel& sides, FitCount& count) {
-  if (!against_one_piece(segments).empty() || !compares_decays(segments.fitted.comparison, sides.campaign)) return {};
+  if (!against_one_piece(segments).empty() || !compares_decays(segments.fitted.comparison, sides.campaign))
+    return {};
   count.expect(usual_fits_in_one_piece);
   DiagnosisOptions options = segments.options;
   options.whole_decays = true;

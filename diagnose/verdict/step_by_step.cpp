@@ -85,8 +85,8 @@ class StepByStep {
   }
 
   // States of segments' own take up most of what a slow law does along a decay. A cause, or what closes nearly all,
-  // needs no more; a campaign without a gap is asked by the model as it is. Rows of few turns are where fits begin: among many turns there are
-  // minima a whole turn off.
+  // needs no more; a campaign without a gap is asked by the model as it is. Rows of few turns are where fits begin:
+  // among many turns there are minima a whole turn off.
   void try_in_one_piece() {
     const Diagnosis& segments = best_->so_far();
     const bool is_known = segments.verdict == "cause" || segments.verdict == "approximate" ||
@@ -95,6 +95,7 @@ class StepByStep {
     allow(best_allowance_);
     DiagnosisOptions options = options_;
     options.whole_decays = true;
+    options.knows_without_scatter = false;
     options.forces = best_->forces();
     options.keeps_scales = true;
     if (!segments.gap.detected && !model_in_one_piece(sides_, options, best_->inference(), false).misses()) return;

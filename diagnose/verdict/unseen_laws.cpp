@@ -99,8 +99,7 @@ UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit) {
   result.moved = VectorXd::Zero(static_cast<Index>(fit.free.size()));
   if (fit.rank == 0 || fit.scale.size() != result.moved.size()) return result;
   const LawColumns columns = columns_of(comparison, fit);
-  const MatrixXd to_unknowns = Directions(fit.jacobian).to_orthonormal(),
-                 model = fit.jacobian * to_unknowns;
+  const MatrixXd to_unknowns = Directions(fit.jacobian).to_orthonormal(), model = fit.jacobian * to_unknowns;
   const MatrixXd begins = Eigen::HouseholderQR<MatrixXd>(columns.of_begins).householderQ() *
                           MatrixXd::Identity(fit.rows.size(), columns.of_begins.cols());
   double tried = 0, least_p = 1;
@@ -115,8 +114,7 @@ UnseenLaws unseen_laws(const Comparison& comparison, const Refit& fit) {
     if (!(left > least_left * length)) continue;
     tried += 1;
     const double deviations = std::abs(law.dot(fit.rows)) / left;
-    const VectorXd per_deviation =
-        (fit.scale.cwiseProduct(to_unknowns * along) / left).cwiseAbs();
+    const VectorXd per_deviation = (fit.scale.cwiseProduct(to_unknowns * along) / left).cwiseAbs();
     result.moved = result.moved.cwiseMax(std::sqrt(std::max(0.0, deviations * deviations - 1)) * per_deviation);
     const double p = 2 * normal_upper_tail(deviations);
     if (p >= least_p) continue;

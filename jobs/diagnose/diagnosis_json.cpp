@@ -176,6 +176,7 @@ std::string diagnosis_json(const DiagnosisRun& run) {
   root["next_experiment"] = next_experiment(run);
   root["conditions"] = d.conditions;
   root["data_used"] = d.data_used;
+  root["decays_in_one_piece"] = d.decays_in_one_piece;
   root["warnings"] = d.warnings;
   root["disturbances"] = disturbances_json(run.disturbances, run.campaign);
   return root.dump(2) + "\n";

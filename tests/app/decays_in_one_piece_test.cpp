@@ -195,6 +195,31 @@ TEST_F(DecaysInOnePiece, AreIntegratedInStepsThatTheirNoiseDoesNotNotice) {
   }
 }
 
+// Six turns hardly show this friction, all of a decay does; without it there is none.
+TEST_F(DecaysInOnePiece, ShowAFrictionThatSegmentsDoNot) {
+  write_model("without.toml", "");
+  for (const double friction : {0.0, 0.003}) {
+    Swing swing;
+    swing.mu1 = 0.01;
+    swing.friction = friction;
+    swing.from = 0.5;
+    ASSERT_NO_FATAL_FAILURE(simulate(swing, 1e-3, 3));
+    ASSERT_EQ(run("diagnose " + path("campaign") + " --model " + path("without.toml") + " --force -o " +
+                  path("diagnosis")),
+              0)
+        << printed();
+    std::ifstream in(folder_ / "diagnosis/diagnosis.json");
+    const Json diagnosis = Json::parse(in);
+    EXPECT_EQ(diagnosis["decays_in_one_piece"], friction > 0);
+    if (friction > 0) {
+      EXPECT_EQ(diagnosis["verdict"], "set");
+      EXPECT_EQ(diagnosis["set"][0], "coulomb_friction");
+    } else {
+      EXPECT_EQ(diagnosis["verdict"], "no_gap");
+    }
+  }
+}
+
 class SlowDecaysInOnePiece : public DecaysInOnePiece {};
 
 TEST_F(SlowDecaysInOnePiece, AreAsSharpAsTheirSamplesAllow) {

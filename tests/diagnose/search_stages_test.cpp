@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/inference/fits_afresh.hpp"
+#include "diagnose/inference/near_fits.hpp"
 #include "diagnose/inference/null_fit.hpp"
 #include "diagnose/inference/pair_fits.hpp"
 #include "diagnose/inference/single_fits.hpp"
@@ -124,6 +125,29 @@ TEST(PairFits, TwoThatActTogetherAreFoundAndNoneWhereOneIsEnough) {
     } else {
       for (const Explanation& e : search.found) EXPECT_EQ(e.members.size(), 1U);
     }
+  }
+}
+
+// Rows that saw a gap say what explains it; where they saw none, what shows first among these rows is tried as
+// well.
+TEST(NearFits, FollowWhatOtherRowsFoundAndScreenWhereTheyFoundNothing) {
+  const std::vector<Candidate> candidates = tone_candidates();
+  Discrepancy gap = measured_signal(signal_of(1, {{2, 0.6}, {5, 0.4}})), none = measured_signal(signal_of(1));
+  const Inference seen = infer(gap, candidates, signal_of(1), frequency_alone, usual);
+  const Inference unseen = infer(none, candidates, signal_of(1), frequency_alone, usual);
+  for (const Inference* near : {&seen, &unseen}) {
+    ExplanationSearch search(gap, candidates, frequency_alone, usual, 9);
+    fit_near(search, *near);
+    EXPECT_EQ(search.level, finest_level);
+    EXPECT_EQ(search.result.linear_gain.size(), candidates.size());
+    const bool screened_here =
+        std::any_of(search.singles.begin(), search.singles.end(), [](const Screening& s) { return s.gain > 0; });
+    EXPECT_EQ(screened_here, near == &unseen);
+    add_pairs(search);
+    ASSERT_FALSE(search.found.empty());
+    Members best = search.found.front().members;
+    std::sort(best.begin(), best.end());
+    EXPECT_EQ(best, (Members{2, 5}));
   }
 }
 

@@ -91,6 +91,23 @@ TEST(SegmentRows, CountForAsMuchAsNoiseWideningAndDisturbanceSay) {
   }
 }
 
+// Of a decay in one piece readings hold everything, and changes of the mode can be told apart from them afterwards.
+TEST(SegmentRows, InFoldsAreReadingsAlone) {
+  const Laboratory lab;
+  const SegmentModel model = segment_model(lab);
+  std::vector<FrozenSegment> segments = frozen_decay(lab, lab.unknowns({}), 7);
+  const auto error = [](const FrozenSegment& f) -> VectorXd { return VectorXd::LinSpaced(f.samples(), -1, 2); };
+  const VectorXd apart = filled({model, segments, known_noise(6)}, error);
+  for (FrozenSegment& f : segments) f.segment.folds = 4;
+  const std::vector<SegmentNoise> noise = known_noise(6);
+  const SegmentRows rows{model, segments, noise};
+  const VectorXd together = filled(rows, error);
+  for (const Index begin : rows.begins())
+    if (begin < together.size()) EXPECT_TRUE(together.segment(begin, 2).isZero(0));
+  EXPECT_NEAR(together.squaredNorm(), apart.squaredNorm(), 1e-9 * apart.squaredNorm());
+  EXPECT_LT((rows.by_balance(together) - apart).norm(), 1e-9 * apart.norm());
+}
+
 TEST(SegmentRows, EveryRowHasALabel) {
   const Laboratory lab;
   const SegmentModel model = segment_model(lab);
