@@ -21,8 +21,12 @@ struct InOnePiece {
   std::optional<PartsOfDecays> parts;  ///< where the fit has converged, see parts_of_decays()
 
   bool has_converged() const { return fitted.inference.null.fit.ending == SolverEnding::converged; }
-  /// Whether all rows, or what parts of the decays tell, are more than noise: the model does not hold there.
-  bool misses() const { return is_more_than_noise(left) || (parts && parts->differ()); }
+  /// Whether all rows, or what parts of the decays tell, are more than noise, and not since one decay differs from the
+  /// next: the model does not hold along them.
+  bool misses() const {
+    if (parts && parts->only_records_differ()) return false;
+    return is_more_than_noise(left) || (parts && parts->differ());
+  }
 };
 
 /// Fits `fitted`, whose rows are those of decays in one piece, until it comes to rest; errors are taken anew.
