@@ -352,6 +352,12 @@ std::optional<FoundFault> law_beside(const DecayLines& lines, const SizedFault& 
   return counts > 0 ? std::optional(FoundFault{one->fault, counts}) : std::nullopt;
 }
 
+// A high-pass takes off the means by which an even law would show, and turns the second harmonic that it makes: that
+// it explains more than such a law says nothing against the law.
+bool hides_behind(const SizedFault& law, const SizedFault& best) {
+  return best.kind == ChainFault::high_pass && law.kind == ChainFault::even_law && !law.shows_mean;
+}
+
 }  // namespace
 
 std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const EstimateTask& task) {
@@ -390,7 +396,9 @@ std::vector<FoundFault> faults_in_decays(const CorrectedEstimate& found, const E
     const double gain = without.squaredNorm() - one.chi_squared;
     const double counts = beyond_chance(gain / scatter, lines.freedom(), alarm);
     const double beside_best =
-        std::clamp((least_gain - (one.chi_squared - least) / scatter) / (least_gain - usual), 0.0, 1.0);
+        hides_behind(one.fault, best->fault)
+            ? 1
+            : std::clamp((least_gain - (one.chi_squared - least) / scatter) / (least_gain - usual), 0.0, 1.0);
     if (!(counts > 0) || !(beside_best > 0)) continue;
     const bool told_by_means = one.fault.shows_mean && one.fault.derivatives > 0;
     if (told_by_means) told_alone = beside_best;
