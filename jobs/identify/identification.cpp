@@ -176,7 +176,7 @@ std::pair<std::string, std::string> words_of(const SizedFault& fault) {
     case ChainFault::even_law: {
       const std::string told =
           fault.coupling_s > 0
-              ? fmt::format(", which means show behind a coupling that passes none below {:.2g} Hz",
+              ? fmt::format(", which means show behind an AC coupling with its corner at {:.2g} Hz",
                             0.5 / (std::numbers::pi * fault.coupling_s))
           : fault.shows_mean && fault.derivatives > 0 ? ", which means show"
                                                       : "";
@@ -190,10 +190,12 @@ std::pair<std::string, std::string> words_of(const SizedFault& fault) {
           fmt::format("a cubic part of a sensor's law, {:.2g} % of third harmonic at the largest motion", percent)};
     default: {
       const std::string kind = fault.kind == ChainFault::low_pass ? "a low-pass" : "a high-pass";
-      return {kind + " in the responses",
-              fmt::format("{} of {} in the responses that takes {:.2g} % off amplitudes", kind,
-                          fault.poles == 1 ? "a single pole" : fmt::format("{} equal poles", fault.poles),
-                          100 * (1 - fault.filter().amplitude()))};
+      const std::string poles = fault.poles == 1 ? "a single pole" : fmt::format("{} equal poles", fault.poles);
+      const std::string does =
+          fault.kind == ChainFault::low_pass
+              ? fmt::format("takes {:.2g} % off amplitudes", 100 * (1 - fault.filter().amplitude()))
+              : fmt::format("turns the motion by {:.2g} degrees", 180 / std::numbers::pi * fault.poles * std::atan(fault.size / fault.poles));
+      return {kind + " in the responses", fmt::format("{} of {} in the responses that {}", kind, poles, does)};
     }
   }
 }
@@ -214,8 +216,8 @@ void judge_decays(const std::vector<FoundFault>& faults, const std::vector<Obser
   }
   if (!faults.empty())
     id.estimate.warnings.push_back(
-        fmt::format("harmonics of the decays are not those that the model makes of their motion. What may have "
-                    "made them: {}; {}. "
+        fmt::format("harmonics of the decays, or means that follow their motion, are not those that the model "
+                    "makes of it. What may have made them: {}; {}. "
                     "Where it is the structure's (a law that the model lacks), `secular diagnose` looks for it",
                     made_by, allowed));
 }

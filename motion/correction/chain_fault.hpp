@@ -34,7 +34,7 @@ struct SizedFault {
   int derivatives = 0;   ///< ModalProjection::derivatives
   /// even_law: its mean is seen, too. False: the chain passes nothing at zero frequency.
   bool shows_mean = false;
-  /// even_law: time constant of a coupling behind it that passes no constant part, s. 0: it shows none.
+  /// even_law: time constant of an AC coupling behind it, s. 0: it shows none.
   double coupling_s = 0;
 
   EqualPoles filter() const;  ///< of a low-pass or a high-pass

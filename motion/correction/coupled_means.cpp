@@ -35,7 +35,7 @@ constexpr int parabolas = 8;
 // low-pass of one pole.
 class SmoothedPower {
  public:
-  // `square`: of the amplitude, at the times `at`, which grow; rate: of its logarithm, before the second of them.
+  // `square`: of the amplitude, at the times `at`, which grow.
   SmoothedPower(std::vector<double> at, const std::vector<double>& square, double power, double tau)
       : at_(std::move(at)), tau_(tau) {
     for (const double s : square) log_.push_back(power * std::log(s));

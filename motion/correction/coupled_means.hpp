@@ -7,7 +7,7 @@
 
 namespace secular {
 
-/// An even law of a sensor, s + k*s^2, behind a coupling that passes no constant part.
+/// An even law of a sensor, s + k*s^2, behind an AC coupling.
 struct CoupledLaw {
   double k = 0;                ///< 1 over the channels' unit
   double time_constant_s = 0;  ///< of the coupling
@@ -15,7 +15,7 @@ struct CoupledLaw {
 };
 
 /// docs/inference.md (78), of the first mode's means in decays of velocities or accelerations (`derivatives` of a
-/// displacement): what a law makes of them behind a coupling of one pole, beside what the coupling itself makes of
+/// displacement): what a law makes of them behind an AC coupling of one pole, beside what that itself makes of
 /// a step before the record. `shortest_s`: of the coupling's time constants. `alarm`: with this probability chance
 /// makes as much. Nothing where means are those of a chain that passes them, where a law explains no more, where
 /// zeros wander otherwise, or where there are too few means.

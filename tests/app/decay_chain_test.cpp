@@ -76,7 +76,7 @@ void expect_truth_or_doubt(const Identification& id) {
 TEST(DecayChain, ThatIsGoodIsNotDoubted) {
   for (const std::uint64_t seed : {11U, 12U, 13U}) {
     const Identification id = identified_by_chain(lopsided_decays(seed), [](std::vector<double>&, std::size_t) {});
-    EXPECT_FALSE(warns(id.estimate.warnings, "harmonics of the decays are not those"));
+    EXPECT_FALSE(warns(id.estimate.warnings, "are not those that the model makes of it"));
     EXPECT_FALSE(warns(id.estimate.warnings, "the amplitude steps"));
     for (const char* name : {"omega0", "mu", "a2", "a3"})
       EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
@@ -171,7 +171,7 @@ TEST(DecayChain, ZerosAreNoLawsOfASensor) {
     const Identification id = identified_by_chain(made, [&](std::vector<double>& y, std::size_t) {
       for (std::size_t i = 0; i < y.size(); ++i) y[i] += largest * zero(static_cast<double>(i) / rate_of_decay_hz);
     });
-    EXPECT_FALSE(warns(id.estimate.warnings, "harmonics of the decays are not those"));
+    EXPECT_FALSE(warns(id.estimate.warnings, "are not those that the model makes of it"));
     for (const char* name : {"omega0", "mu", "a2", "a3"})
       EXPECT_FALSE(value_of(id.estimate, name).doubtful) << name;
   }
