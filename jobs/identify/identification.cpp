@@ -194,7 +194,8 @@ std::pair<std::string, std::string> words_of(const SizedFault& fault) {
       const std::string does =
           fault.kind == ChainFault::low_pass
               ? fmt::format("takes {:.2g} % off amplitudes", 100 * (1 - fault.filter().amplitude()))
-              : fmt::format("turns the motion by {:.2g} degrees", 180 / std::numbers::pi * fault.poles * std::atan(fault.size / fault.poles));
+              : fmt::format("turns the motion by {:.2g} degrees",
+                            180 / std::numbers::pi * fault.poles * std::atan(fault.size / fault.poles));
       return {kind + " in the responses", fmt::format("{} of {} in the responses that {}", kind, poles, does)};
     }
   }

@@ -352,8 +352,8 @@ std::optional<FoundFault> law_beside(const DecayLines& lines, const SizedFault& 
   return counts > 0 ? std::optional(FoundFault{one->fault, counts}) : std::nullopt;
 }
 
-// A high-pass takes off the means by which an even law would show, and turns the second harmonic that it makes: that
-// it explains more than such a law says nothing against the law.
+// A high-pass takes off the means by which an even law would show, and turns the second harmonic that it makes:
+// that it explains more than such a law says nothing against the law.
 bool hides_behind(const SizedFault& law, const SizedFault& best) {
   return best.kind == ChainFault::high_pass && law.kind == ChainFault::even_law && !law.shows_mean;
 }
