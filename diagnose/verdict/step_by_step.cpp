@@ -84,14 +84,14 @@ class StepByStep {
     }
   }
 
-  // States of segments' own take up most of what a slow law does along a decay. A cause, or what closes nearly all,
+  // States of segments' own take up most of what a damping does along a decay. A cause, or what closes nearly all,
   // needs no more; a campaign without a gap is asked by the model as it is. Rows of few turns are where fits begin:
   // among many turns there are minima a whole turn off.
   void try_in_one_piece() {
     const Diagnosis& segments = best_->so_far();
     const bool is_known = segments.verdict == "cause" || segments.verdict == "approximate" ||
                           how_much(segments) == Accounted::doubtful || blows_;
-    if (is_known || !best_->holds_decays() || !against_one_piece(options_).empty()) return;
+    if (is_known || sides_.model.modes() > 1 || !best_->holds_decays() || !against_one_piece(options_).empty()) return;
     allow(best_allowance_);
     DiagnosisOptions options = options_;
     options.whole_decays = true;
@@ -100,9 +100,7 @@ class StepByStep {
     options.keeps_scales = true;
     if (!segments.gap.detected && !model_in_one_piece(sides_, options, best_->inference(), false).misses()) return;
     OpenDiagnosis whole(sides_, effects_, options, &best_->inference());
-    const Diagnosis& found = whole.so_far();
-    if (found.gap.detected && (!segments.gap.detected || how_much(found) >= how_much(segments)))
-      best_ = std::move(whole);
+    if (outranks_segments(whole.so_far(), segments, options_.catalogue)) best_ = std::move(whole);
   }
 
   // A law is told where it is likelier than frequencies that scatter about the model as it is, also where too few
