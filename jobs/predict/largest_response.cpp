@@ -38,6 +38,8 @@ LargestResponse at_point(const ResponseBranch& branch, std::size_t i, std::size_
     result.kind = LargestAt::range_end;
   }
   if (result.kind != LargestAt::search_end) result.amplitude_sd = amplitude_sd(point, mode);
+  // (R9) moves the place by way of the amplitude: where first order says nothing of that, it says nothing of it.
+  if (!first_order_holds(point, mode)) result.parameter_sd.reset();
   return result;
 }
 
