@@ -40,6 +40,7 @@ std::optional<std::string> nearest_word(const std::string& word, const std::vect
 
 std::string remedy_for_word(const std::string& remedy, const std::string& word,
                             const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), word) != known.end()) return remedy;
   const std::optional<std::string> meant = nearest_word(word, known);
   return meant ? remedy + "; did you mean " + *meant + "?" : remedy;
 }

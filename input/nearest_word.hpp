@@ -11,7 +11,7 @@ namespace secular {
 /// small letters.
 std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known);
 
-/// What to do about `word`, which is none of `known`: `remedy`, and which of them may be meant.
+/// What to do about `word`: `remedy`, and which of `known` may be meant where it is none of them.
 std::string remedy_for_word(const std::string& remedy, const std::string& word,
                             const std::vector<std::string>& known);
 

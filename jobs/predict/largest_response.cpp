@@ -31,13 +31,17 @@ LargestResponse at_point(const ResponseBranch& branch, std::size_t i, std::size_
   LargestResponse result{mode, LargestAt::search_end, point.parameter, amplitude_of(point, mode), {}, {}};
   const bool ends_range = (i == 0 && branch.first_end.status == TraceStatus::parameter_bound) ||
                           (i + 1 == branch.points.size() && branch.last_end.status == TraceStatus::parameter_bound);
-  if (point.peak_of == mode) {
+  const auto peak = std::find_if(point.peaks.begin(), point.peaks.end(),
+                                 [&](const ResponsePeak& one) { return one.mode == mode; });
+  if (peak != point.peaks.end()) {
     result.kind = LargestAt::peak;
-    result.parameter_sd = point.place_sd;
+    result.parameter_sd = peak->place_sd;
   } else if (ends_range) {
     result.kind = LargestAt::range_end;
   }
   if (result.kind != LargestAt::search_end) result.amplitude_sd = amplitude_sd(point, mode);
+  // (R9) moves the place by way of the amplitude: where first order says nothing of that, it says nothing of it.
+  if (!first_order_holds(point, mode)) result.parameter_sd.reset();
   return result;
 }
 

@@ -112,7 +112,7 @@ void spread_diagram(const ResponseField& field, const ResponseRequest& response,
   }
   in_parallel(points.size(), threads, [&](std::size_t i) {
     points[i]->spread = spread.of(*points[i]);
-    points[i]->place_sd = spread.of_peak(*points[i]);
+    for (ResponsePeak& peak : points[i]->peaks) peak.place_sd = spread.of_peak(*points[i], peak.mode);
   });
   in_parallel(special.size(), threads, [&](std::size_t i) {
     special[i]->sd = spread.of(*special[i]);

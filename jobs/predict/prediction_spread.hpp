@@ -9,8 +9,8 @@ namespace secular {
 void find_uncertainty(const PredictionRequest& request, const GivenParameters& given, bool moved,
                       Prediction& prediction);
 
-/// Sets ResponsePoint::spread and ::place_sd, and ResponseSpecial::sd of the diagram, outside of the expansion's
-/// range nothing.
+/// Sets ResponsePoint::spread, ResponsePeak::place_sd and ResponseSpecial::sd of the diagram, outside of the
+/// expansion's range nothing.
 void spread_diagram(const ResponseField& field, const ResponseRequest& response, unsigned threads,
                     Prediction& prediction);
 

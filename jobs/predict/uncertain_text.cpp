@@ -44,11 +44,15 @@ std::string cycle_frequency(const Prediction& prediction, std::size_t k, std::si
                           spread ? std::optional<double>(spread->frequency * to_hz) : std::nullopt, 6);
 }
 
+bool first_order_holds(const ResponsePoint& point, std::size_t mode) {
+  if (mode >= point.spread.size() || point.outside) return false;
+  return 2 * point.spread[mode].amplitude <= std::abs(point.modes.amplitude[mode]);
+}
+
 std::optional<double> amplitude_sd(const ResponsePoint& point, std::size_t mode) {
-  if (mode >= point.spread.size() || point.outside) return {};
+  if (!first_order_holds(point, mode)) return {};
   const double sd = 2 * point.spread[mode].amplitude;
-  if (!(sd > 0) || !(2 * sd <= 2 * std::abs(point.modes.amplitude[mode]))) return {};
-  return sd;
+  return sd > 0 ? std::optional<double>(sd) : std::nullopt;
 }
 
 }  // namespace secular

@@ -21,8 +21,12 @@ std::string special_amplitude(const Prediction& prediction, const ResponseSpecia
 std::string cycle_amplitude(const Prediction& prediction, std::size_t k, std::size_t cycle);
 std::string cycle_frequency(const Prediction& prediction, std::size_t k, std::size_t cycle);
 
-/// Standard deviation of a mode's peak amplitude at the varied parameter's value. Nothing where no error bar is
-/// known, or two of it exceed the amplitude: first order says nothing there.
+/// Whether error bars of a mode's amplitude are known at the varied parameter's value, and two of them do not exceed
+/// it: beyond that first order says nothing.
+bool first_order_holds(const ResponsePoint& point, std::size_t mode);
+
+/// Standard deviation of a mode's peak amplitude at the varied parameter's value. Nothing where it is zero, and where
+/// first order does not hold.
 std::optional<double> amplitude_sd(const ResponsePoint& point, std::size_t mode);
 
 }  // namespace secular

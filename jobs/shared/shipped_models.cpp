@@ -21,6 +21,12 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, unreadable);
 }
 
+// Whether a path can be the name of a shipped file: "./duffing" and "../duffing" are of the caller's folder.
+bool is_below_shipped(const fs::path& path) {
+  return path.is_relative() &&
+         std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == "." || part == ".."; });
+}
+
 fs::path folder_that_was_set;
 
 // Names of the files in a folder of the shipped ones, as they are typed.
@@ -70,7 +76,7 @@ fs::path resolve_model(const std::string& name_or_path) {
       const fs::path file = folder / (name_or_path + ".toml");
       if (is_file(file)) return file;
     }
-  const fs::path below = fs::path(name_or_path).is_relative() ? fs::path(name_or_path).parent_path() : fs::path();
+  const fs::path below = is_below_shipped(name_or_path) ? fs::path(name_or_path).parent_path() : fs::path();
   std::vector<std::string> names = shipped_in(below);
   const bool has_any = !names.empty();
   if (!has_any) names = shipped_models();

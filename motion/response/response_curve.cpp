@@ -320,14 +320,14 @@ class Curves {
   }
 
   void add_peaks_of(const ResponseBranch& branch) {
-    for (const ResponsePoint& top : branch.points) {
-      if (!top.peak_of) continue;
-      const double amplitude = std::abs(top.modes.amplitude[*top.peak_of]);
-      if (amplitude < 1e-3 * scale_ || amplitude < largest_amplitude(top.modes) || is_known(top)) continue;
-      const PeakRequest peak{response_,    request_.second, request_.second_lower, request_.second_upper,
-                             *top.peak_of, scale_};
-      curves_.push_back(peak_curve(field_, peak, top));
-    }
+    for (const ResponsePoint& top : branch.points)
+      for (const ResponsePeak& peak : top.peaks) {
+        const double amplitude = std::abs(top.modes.amplitude[peak.mode]);
+        if (amplitude < 1e-3 * scale_ || amplitude < largest_amplitude(top.modes) || is_known(top)) continue;
+        const PeakRequest request{response_, request_.second, request_.second_lower, request_.second_upper,
+                                  peak.mode, scale_};
+        curves_.push_back(peak_curve(field_, request, top));
+      }
   }
 
   const ResponseField& field_;

@@ -20,18 +20,23 @@ struct CurveSpread {
   double across_parameter = 0, across_amplitude = 0;
 };
 
+/// A mode whose amplitude is largest at a point along its branch: add_peaks().
+struct ResponsePeak {
+  std::size_t mode = 0;
+  std::optional<double> place_sd = {};  ///< of the parameter there; set as ResponsePoint::spread is
+};
+
 /// A steady response.
 struct ResponsePoint {
   double parameter = 0;
   ModeAmplitudes modes;
-  Eigen::VectorXd state;                    ///< of ResponseField::reduced(); empty at rest where that is blown up
-  Eigen::VectorXcd eigenvalues;             ///< 1/s, by falling real part; without the zero ones of free phases
-  int unstable = 0;                         ///< eigenvalues with a positive real part
-  bool at_rest = false;                     ///< no mode oscillates
-  bool outside = false;                     ///< of the expansion's range; marked by whoever knows that range
-  std::optional<std::size_t> peak_of = {};  ///< mode whose amplitude is largest here along the branch: add_peaks()
-  std::vector<CurveSpread> spread = {};     ///< [mode]; set by whoever knows the parameters' error bars, else empty
-  std::optional<double> place_sd = {};      ///< of the parameter where `peak_of` is largest; set as `spread` is
+  Eigen::VectorXd state;                 ///< of ResponseField::reduced(); empty at rest where that is blown up
+  Eigen::VectorXcd eigenvalues;          ///< 1/s, by falling real part; without the zero ones of free phases
+  int unstable = 0;                      ///< eigenvalues with a positive real part
+  bool at_rest = false;                  ///< no mode oscillates
+  bool outside = false;                  ///< of the expansion's range; marked by whoever knows that range
+  std::vector<ResponsePeak> peaks = {};  ///< one of every mode that has its largest amplitude here
+  std::vector<CurveSpread> spread = {};  ///< [mode]; set by whoever knows the parameters' error bars, else empty
 };
 
 struct ResponseSpecial {

@@ -22,6 +22,13 @@ constexpr double one_point = 1e-6;
 /// Share of the way between two points to which a peak is found.
 constexpr double to_rounding = 1e-13;
 
+// A point may be found from both sides of it.
+void mark(ResponsePoint& point, std::size_t mode) {
+  if (std::none_of(point.peaks.begin(), point.peaks.end(),
+                   [&](const ResponsePeak& one) { return one.mode == mode; }))
+    point.peaks.push_back({mode});
+}
+
 class PeakSearch {
  public:
   PeakSearch(const ResponseField& field, const ResponseRequest& request, double scale)
@@ -68,7 +75,7 @@ class PeakSearch {
     const VectorXd chord = to.unknowns - from.unknowns;
     for (CurvePoint* point : {&from, &to})
       if (point->tangent.dot(chord) < 0) point->tangent = -point->tangent;
-    std::vector<std::pair<double, ResponsePoint>> peaks;  // by how far along the chord
+    std::vector<std::pair<VectorXd, ResponsePoint>> tops;  // with their unknowns
     for (const std::size_t mode : field_.active()) {
       const AmplitudeSquare square(field_, scaled_, mode, scale_);
       const auto slope = [&](const CurvePoint& at) { return square.slope(at.unknowns, at.tangent); };
@@ -77,17 +84,25 @@ class PeakSearch {
       if (!top || square.at(top->unknowns) < std::max(square.at(from.unknowns), square.at(to.unknowns))) continue;
       // A point that is the peak becomes it; the first and the last of a branch stay where they are.
       if ((top->unknowns - to.unknowns).norm() < one_point)
-        end.peak_of = mode;
+        mark(end, mode);
       else if ((top->unknowns - from.unknowns).norm() < one_point)
-        points.back().peak_of = mode;
+        mark(points.back(), mode);
       else
-        peaks.emplace_back(chord.dot(top->unknowns), point_of(*top, mode));
+        mark(top_at(*top, tops), mode);
     }
-    std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (auto& [along, peak] : peaks) points.push_back(std::move(peak));
+    std::sort(tops.begin(), tops.end(),
+              [&](const auto& a, const auto& b) { return chord.dot(a.first) < chord.dot(b.first); });
+    for (auto& [unknowns, point] : tops) points.push_back(std::move(point));
   }
 
-  ResponsePoint point_of(const CurvePoint& at, std::size_t mode) const {
+  // The one of `tops` that is there, or a new one.
+  ResponsePoint& top_at(const CurvePoint& at, std::vector<std::pair<VectorXd, ResponsePoint>>& tops) const {
+    for (auto& [unknowns, point] : tops)
+      if ((unknowns - at.unknowns).norm() < one_point) return point;
+    return tops.emplace_back(at.unknowns, point_of(at)).second;
+  }
+
+  ResponsePoint point_of(const CurvePoint& at) const {
     ResponsePoint point;
     point.parameter = scaled_.parameters(at.unknowns)(request_.parameter);
     point.state = scaled_.state(at.unknowns);
@@ -95,7 +110,6 @@ class PeakSearch {
     const Spectrum spectrum = spectrum_of(scaled_.state_jacobian(at.unknowns));
     point.eigenvalues = spectrum.eigenvalues;
     point.unstable = spectrum.unstable;
-    point.peak_of = mode;
     return point;
   }
 

@@ -129,13 +129,13 @@ std::vector<CurveSpread> ResponseSpread::of(const ResponsePoint& point) const {
   return spread;
 }
 
-std::optional<double> ResponseSpread::of_peak(const ResponsePoint& point) const {
+std::optional<double> ResponseSpread::of_peak(const ResponsePoint& point, std::size_t mode) const {
   const std::optional<Moved> curve = moved(point);
-  if (!curve || !point.peak_of) return {};
+  if (!curve) return {};
   const Index n = point.state.size();
   const VectorXd& typical = reduced_.typical_state();
   const auto square = [&](const VectorXd& parameters, const VectorXd& state) {
-    return std::norm(field_.amplitudes(parameters, state).amplitude[*point.peak_of] / scale_);
+    return std::norm(field_.amplitudes(parameters, state).amplitude[mode] / scale_);
   };
   const VectorXd here = parameters_at(point.parameter);
   const MatrixXd level = difference_jacobian(

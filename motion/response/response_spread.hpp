@@ -30,9 +30,9 @@ class ResponseSpread {
   /// Of the parameter's value at a saddle-node, a Hopf point or a threshold of the state of rest. Nothing where it
   /// does not follow to first order: other points where branches cross.
   std::optional<double> of(const ResponseSpecial& special) const;
-  /// Of the parameter's value where the amplitude of ResponsePoint::peak_of is largest; that of the amplitude is
-  /// of(point)[mode].amplitude. Nothing where branches cross, and where the amplitude is level to second order.
-  std::optional<double> of_peak(const ResponsePoint& point) const;
+  /// Of the parameter's value where the amplitude of a mode is largest, which is at `point`; that of the amplitude
+  /// is of(point)[mode].amplitude. Nothing where branches cross, and where the amplitude is level to second order.
+  std::optional<double> of_peak(const ResponsePoint& point, std::size_t mode) const;
 
  private:
   // How the curve goes on at a point and how it moves, in unknowns of the order of one.

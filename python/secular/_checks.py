@@ -86,6 +86,8 @@ def path(argument: str, value) -> str:
 def new_file(argument: str, value) -> str:
     """A path where no file stands, in a folder that does."""
     name = path(argument, value)
+    if not os.path.basename(name):
+        raise refused(argument, f"{name!r} names no file", "name a new file")
     if os.path.lexists(name):
         raise refused(argument, f"{name} exists", "name a new file")
     if not os.path.isdir(os.path.dirname(name) or "."):

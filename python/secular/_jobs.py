@@ -285,6 +285,7 @@ def simulate(experiment: Union[str, os.PathLike], *, seed: int = 1, threads: Opt
     campaign = _core.simulate(source, _checks.seed(seed), _checks.threads(threads),
                               _checks.flag("interpret", interpret))
     if page is not None:
+        text = _core.simulation_report(campaign, source, seed)  # before the file: none stands where this fails
         with open(page, "x", encoding="utf-8") as stream:
-            stream.write(_core.simulation_report(campaign, source, seed))
+            stream.write(text)
     return Campaign._of(campaign)

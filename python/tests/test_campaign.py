@@ -20,7 +20,7 @@ def test_simulate_writes_a_report_to_a_new_file_and_says_so_before_the_work(tmp_
     text = page.read_text(encoding="utf-8")
     assert text.startswith("<!") and "pendulum" in text and "<svg" in text and len(campaign) > 0
     assert "response" in campaign._repr_html_()
-    for wrong in (page, tmp_path / "none" / "page.html", 3):
+    for wrong in (page, tmp_path / "none" / "page.html", "", f"{tmp_path}/none/", 3):
         with pytest.raises(secular.InputError) as raised:
             secular.simulate("no such experiment", report=wrong)
         assert raised.value.file == "report", raised.value

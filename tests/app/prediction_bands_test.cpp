@@ -219,5 +219,22 @@ TEST_F(PredictionBands, TheLargestAmplitudeIsPolishedAndHasErrorBarsBesideFolds)
   EXPECT_NE(read("out/report.html").find("largest at 16.3930 Hz, where the range ends, with"), std::string::npos);
 }
 
+// Where two error bars of the amplitude exceed it, first order says nothing of the place either.
+TEST_F(PredictionBands, TheLargestAmplitudeHasBothErrorBarsOrNone) {
+  for (const double share : {0.1, 0.45, 0.55}) {
+    const json estimate = {
+        {"estimates",
+         {entry("omega0", 100, 0.05), entry("mu", 0.5, 0.5 * share), entry("a2", 3000, 0), entry("a3", 4e6, 0),
+          entry("e", 1, 0)}},
+        {"covariance", {{"names", {"omega0", "mu"}}, {"matrix", {{2.5e-3, 0}, {0, 0.25 * share * share}}}}}};
+    write("estimate.json", estimate.dump());
+    predicted("duffing --case primary --parameters estimate.json --at F=2 --vary Omega 88 113");
+    const json largest = result().at("largest").at(0);
+    EXPECT_EQ(largest.at("kind"), "peak");
+    EXPECT_EQ(largest.contains("amplitude_sd"), share < 0.5) << share;
+    EXPECT_EQ(largest.contains("Omega_sd"), share < 0.5) << share;
+  }
+}
+
 }  // namespace
 }  // namespace secular

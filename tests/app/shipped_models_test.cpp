@@ -63,5 +63,16 @@ TEST_F(ShippedModels, AnUnknownNameListsTheShippedOnes) {
     }
 }
 
+TEST_F(ShippedModels, APathOfTheCallersFolderIsNoNameOfAShippedOne) {
+  for (const std::string name : {"./own_modl", "../models/own_modl", "experiments/../own_modl"}) try {
+      ::setenv("SECULAR_MODELS", folder_.c_str(), 1);
+      resolve_model(name);
+      FAIL() << name;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.wrong(), "neither a file nor the name of a shipped model") << name;
+      EXPECT_EQ(error.right().rfind("shipped models: own_model", 0), 0U) << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace secular::app

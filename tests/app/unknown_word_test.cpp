@@ -28,6 +28,8 @@ TEST(NearestWord, IsASlipAway) {
   EXPECT_EQ(nearest_word("inspectt", known), "inspect");
   EXPECT_EQ(nearest_word("frobnicate", known), std::nullopt);
   EXPECT_EQ(nearest_word("", known), std::nullopt);
+  EXPECT_EQ(remedy_for_word("one of them", "improt", known), "one of them; did you mean import?");
+  EXPECT_EQ(remedy_for_word("one of them", "import", known), "one of them") << "it is spelled right";
 }
 
 class TypedWords : public testing::Test {
