@@ -9,6 +9,8 @@
 namespace secular {
 namespace {
 
+/// Share of an amplitude within which others are the same: points of a curve are found to some 1e-10.
+constexpr double equal_to_rounding = 1e-9;
 /// Of eigenvalues over the largest one: real parts that rounding leaves of zero at a special point.
 constexpr double neutral = 1e-6;
 
@@ -45,6 +47,14 @@ LargestResponse at_point(const ResponseBranch& branch, std::size_t i, std::size_
   return result;
 }
 
+// Beyond rounding; of two that are the same, one of which a reason is known why nothing is larger there: on a flat
+// curve, and beside a peak, points of no meaning are as large.
+bool is_larger(const LargestResponse& one, const LargestResponse& other) {
+  if (one.amplitude > (1 + equal_to_rounding) * other.amplitude) return true;
+  return one.amplitude >= (1 - equal_to_rounding) * other.amplitude && one.kind != LargestAt::search_end &&
+         other.kind == LargestAt::search_end;
+}
+
 }  // namespace
 
 std::vector<LargestResponse> largest_responses(const Prediction& prediction) {
@@ -56,13 +66,15 @@ std::vector<LargestResponse> largest_responses(const Prediction& prediction) {
       for (std::size_t i = 0; i < branch.points.size(); ++i) {
         const ResponsePoint& point = branch.points[i];
         if (point.unstable > 0 || point.at_rest || point.outside) continue;
-        if (amplitude_of(point, mode) > largest.amplitude) largest = at_point(branch, i, mode);
+        if (amplitude_of(point, mode) < (1 - equal_to_rounding) * largest.amplitude) continue;
+        if (const LargestResponse here = at_point(branch, i, mode); is_larger(here, largest)) largest = here;
       }
       for (const ResponseSpecial& special : branch.special) {
         const ResponsePoint& point = special.at;
         if (point.at_rest || point.outside || !borders_stable_ones(point)) continue;
-        if (amplitude_of(point, mode) > largest.amplitude)
-          largest = {mode, LargestAt::stability_end, point.parameter, amplitude_of(point, mode), {}, {}};
+        const LargestResponse here{mode, LargestAt::stability_end, point.parameter, amplitude_of(point, mode), {},
+                                   {}};
+        if (is_larger(here, largest)) largest = here;
       }
     }
     if (largest.amplitude > 0) all.push_back(largest);

@@ -13,6 +13,10 @@ namespace secular {
 /// rank.
 Eigen::VectorXd turned_tangent(const Eigen::Ref<const Eigen::MatrixXd>& jacobian);
 
+/// Second derivative of |B|^2 along a curve, in unknowns of the order of one and over |B|^2 itself, up to which it
+/// is flat: the rounding of slopes, some 1e-12, leaves the place of a top undetermined by 1e-6 there.
+inline constexpr double flat_bend = 1e-6;
+
 /// |B|^2 of a mode over that of a typical amplitude, as a function of the unknowns of a ScaledField.
 class AmplitudeSquare {
  public:

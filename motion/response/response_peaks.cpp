@@ -80,6 +80,8 @@ class PeakSearch {
       const AmplitudeSquare square(field_, scaled_, mode, scale_);
       const auto slope = [&](const CurvePoint& at) { return square.slope(at.unknowns, at.tangent); };
       if (!(slope(from) > 0) || !(slope(to) <= 0) || square.at(from.unknowns) < no_peak * no_peak) continue;
+      // A saturated amplitude has slopes of rounding, of either sign.
+      if (slope(from) - slope(to) <= flat_bend * chord.norm() * square.at(from.unknowns)) continue;
       const std::optional<CurvePoint> top = zero_between(curve_, from, to, slope, to_rounding);
       if (!top || square.at(top->unknowns) < std::max(square.at(from.unknowns), square.at(to.unknowns))) continue;
       // A point that is the peak becomes it; the first and the last of a branch stay where they are.

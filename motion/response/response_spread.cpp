@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "motion/response/amplitude_slope.hpp"
 #include "motion/response/differences.hpp"
 #include "motion/response/spectrum.hpp"
 
@@ -157,7 +158,8 @@ std::optional<double> ResponseSpread::of_peak(const ResponsePoint& point, std::s
     return lagrangian(along + unknowns, by) - lagrangian(along - unknowns, -by) - lagrangian(unknowns - along, by) +
            lagrangian(-along - unknowns, -by);
   };
-  const double bend = mixed(along, none) / peak_step;
+  const double bend = mixed(along, none) / peak_step;  // 4 peak_step times the second derivative
+  if (std::abs(bend) <= 4 * peak_step * flat_bend * square(here, point.state)) return {};
   VectorXd place(curve->direction.cols());
   for (Index d = 0; d < place.size(); ++d) {
     const VectorXd unknowns = curve->direction.col(d);

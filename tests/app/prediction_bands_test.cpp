@@ -236,5 +236,74 @@ TEST_F(PredictionBands, TheLargestAmplitudeHasBothErrorBarsOrNone) {
   }
 }
 
+// Of two modes that are tied to each other, both amplitudes are largest at one point.
+TEST_F(PredictionBands, TwoModesHaveTheirPeaksAtOnePoint) {
+  write("pair.toml", R"toml(schema = 1
+name = "pair"
+[[mode]]
+coordinate = "x"
+frequency = "w1"
+equation = "D2(x) + w1^2*x = -2*mu*D(x) - c1*D(x)^3 - b1*x^3 + p*y*F*cos(Omega*t)"
+[[mode]]
+coordinate = "y"
+frequency = "w2"
+equation = "D2(y) + w2^2*y = -2*mu*D(y) - c2*D(y)^3 - b5*y^3 + q*x*F*cos(Omega*t)"
+[[case]]
+name = "additive"
+relations = ["Omega = w1 + w2 + eps*sigma"]
+order = { mu = 1, c1 = 1, c2 = 1, b1 = 1, b5 = 1, p = 1, q = 1 }
+expand_to = 1
+)toml");
+  const json estimate = {
+      {"estimates",
+       {entry("w1", 10, 0.01), entry("w2", 27, 0), entry("mu", 0.05, 0.001), entry("c1", 0.0729, 0),
+        entry("c2", 0.01, 0), entry("b1", 10, 0), entry("b5", 27, 0), entry("p", 10, 0), entry("q", 27, 0)}},
+      {"covariance", {{"names", {"w1", "mu"}}, {"matrix", {{1e-4, 0}, {0, 1e-6}}}}}};
+  write("estimate.json", estimate.dump());
+  predicted("pair.toml --parameters estimate.json --at F=1 --vary Omega 36 38");
+  const json largest = result().at("largest");
+  ASSERT_EQ(largest.size(), 2U);
+  for (const json& of : largest) {
+    EXPECT_EQ(of.at("kind"), "peak") << of;
+    EXPECT_TRUE(of.contains("amplitude_sd") && of.contains("Omega_sd")) << of;
+    EXPECT_NEAR(of.at("Omega").get<double>(), largest.at(0).at("Omega").get<double>(), 1e-5) << of;
+  }
+}
+
+// Beyond a threshold the mode that is driven is saturated: it stays as it is over F, and has no peak.
+TEST_F(PredictionBands, ASaturatedAmplitudeHasNoPeak) {
+  write("saturated.toml", R"toml(schema = 1
+name = "saturated"
+[lagrangian]
+kinetic = "D(x)^2/2 + D(y)^2/2"
+potential = "w1^2*x^2/2 + w2^2*y^2/2 + a2*x^2*y"
+[[mode]]
+coordinate = "x"
+frequency = "w1"
+force = "-2*mu1*D(x)"
+[[mode]]
+coordinate = "y"
+frequency = "w2"
+force = "-2*mu2*D(y) + e*F*cos(Omega*t)"
+[[case]]
+name = "one_to_two"
+relations = ["w2 = 2*w1 + eps*sigma1", "Omega = w2 + eps*sigma2"]
+order = { mu1 = 1, mu2 = 1, a2 = 1, e = 1 }
+expand_to = 1
+)toml");
+  const json estimate = {
+      {"estimates",
+       {entry("w1", 10, 0.01), entry("w2", 20, 0), entry("mu1", 0.05, 0.001), entry("mu2", 0.1, 0),
+        entry("a2", 20, 0.1), entry("e", 1, 0)}},
+      {"covariance", {{"names", {"w1", "mu1", "a2"}}, {"matrix", {{1e-4, 0, 0}, {0, 1e-6, 0}, {0, 0, 0.01}}}}}};
+  write("estimate.json", estimate.dump());
+  predicted("saturated.toml --parameters estimate.json --at Omega=20.1 --vary F 0 20");
+  for (const json& of : result().at("largest")) {
+    EXPECT_NE(of.at("kind"), "peak") << of;
+    EXPECT_FALSE(of.contains("F_sd")) << of;
+  }
+  EXPECT_EQ(result().at("largest").size(), 2U);
+}
+
 }  // namespace
 }  // namespace secular
