@@ -111,7 +111,7 @@ TEST(DecayChain, EvenLawBehindACouplingIsToldByMeans) {
       for (double& sample : y) sample *= 1 + share * sample / largest;
       pass_coupling(y, 0.3);
     });
-    EXPECT_TRUE(warns(id.estimate.warnings, "means show behind a coupling"));
+    EXPECT_TRUE(warns(id.estimate.warnings, "means show behind an AC coupling"));
     EXPECT_GT(std::abs(*value_of(id.estimate, "a2").value / quadratic_of_decay - 1), 0.1);
     expect_truth_or_doubt(id);
   }
