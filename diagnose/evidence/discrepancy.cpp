@@ -256,21 +256,11 @@ Eigen::MatrixXd Discrepancy::raw_slopes(const Eigen::VectorXd& unknowns, const s
   return columns;
 }
 
-Eigen::VectorXd Discrepancy::unmixed(const Eigen::VectorXd& rows) const {
+Eigen::VectorXd Discrepancy::part_by_part(const Eigen::VectorXd& rows, RowsOfPart of_part) const {
   Eigen::VectorXd all(rows.size());
   Index first = 0;
   for (const auto& part : parts_) {
-    all.segment(first, part->size()) = part->unmixed(rows.segment(first, part->size()));
-    first += part->size();
-  }
-  return all;
-}
-
-Eigen::VectorXd Discrepancy::by_balance(const Eigen::VectorXd& rows) const {
-  Eigen::VectorXd all(rows.size());
-  Index first = 0;
-  for (const auto& part : parts_) {
-    all.segment(first, part->size()) = part->by_balance(rows.segment(first, part->size()));
+    all.segment(first, part->size()) = (*part.*of_part)(rows.segment(first, part->size()));
     first += part->size();
   }
   return all;

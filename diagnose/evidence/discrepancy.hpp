@@ -144,8 +144,11 @@ class Discrepancy {
   /// Of these rows, as Evidence::slopes(): rows x which.
   Eigen::MatrixXd slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                          const Eigen::VectorXd& scale, unsigned threads) const;
-  Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const;
-  Eigen::VectorXd by_balance(const Eigen::VectorXd& rows) const;
+  // Of the evidence, one behind the other.
+  Eigen::VectorXd unmixed(const Eigen::VectorXd& rows) const { return part_by_part(rows, &Evidence::unmixed); }
+  Eigen::VectorXd by_balance(const Eigen::VectorXd& rows) const {
+    return part_by_part(rows, &Evidence::by_balance);
+  }
   /// Share of the variance of what this column of rows tells that is the records' own: how their frequencies
   /// scatter (docs/inference.md (32)).
   double share_of_records(Eigen::VectorXd column) const;
@@ -160,6 +163,8 @@ class Discrepancy {
   std::vector<OwnFrequency> own_frequencies(const Eigen::VectorXd& unknowns) const;
 
  private:
+  using RowsOfPart = Eigen::VectorXd (Evidence::*)(const Eigen::VectorXd&) const;
+  Eigen::VectorXd part_by_part(const Eigen::VectorXd& rows, RowsOfPart of_part) const;
   Eigen::VectorXd raw_rows(const Eigen::VectorXd& unknowns) const;
   Eigen::MatrixXd raw_slopes(const Eigen::VectorXd& unknowns, const std::vector<std::size_t>& which,
                              const Eigen::VectorXd& scale, unsigned threads) const;

@@ -29,18 +29,22 @@ constexpr double exponential_mean_of_median = 1 / std::numbers::ln2, relative_va
 /// Of a normal law: 95 % lie above its lower end.
 constexpr double one_sided_95 = 1.645;
 
-// With a Hann window, beside which a line of the motion falls off with the sixth power of the distance.
+// By a Hann window of the mean square 1, beside which a line of the motion falls off with the sixth power of the
+// distance.
+std::vector<double> windowed(std::vector<double> values) {
+  const auto count = static_cast<double>(values.size());
+  const double mean_square = 0.375;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] *=
+        std::pow(std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / count), 2) / std::sqrt(mean_square);
+  return values;
+}
+
 double power_at(const std::vector<double>& values, double radians_a_sample) {
   std::complex<double> sum = 0;
-  double squares = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto at = static_cast<double>(i);
-    const double weight =
-        std::pow(std::sin(std::numbers::pi * (at + 0.5) / static_cast<double>(values.size())), 2);
-    sum += weight * values[i] * std::polar(1.0, -radians_a_sample * at);
-    squares += weight * weight;
-  }
-  return std::norm(sum) / squares;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    sum += values[i] * std::polar(1.0, -radians_a_sample * static_cast<double>(i));
+  return std::norm(sum) / static_cast<double>(values.size());
 }
 
 double white_power(const std::vector<double>& values) {
@@ -49,8 +53,8 @@ double white_power(const std::vector<double>& values) {
   return squares / third_difference_variance / std::max<double>(1, static_cast<double>(differences.size()));
 }
 
-// Powers of lines from `low` to `high`, radians a sample, over that of white noise: every second one at most, next to
-// each other they are correlated.
+// Powers of lines from `low` to `high`, radians a sample, over that of white noise: every second one at most, next
+// to each other they are correlated.
 void add_powers(const std::vector<double>& values, double low, double high, double white,
                 std::vector<double>& powers) {
   const double line = 2 * std::numbers::pi / static_cast<double>(values.size());
@@ -68,10 +72,11 @@ double noise_beside_motion(std::span<const SampledRest> left, const VectorXd& na
   for (const SampledRest& channel : left) {
     const double white = white_power(channel.rest);
     if (!(white > 0)) continue;
+    const std::vector<double> rest = windowed(channel.rest);
     for (const double w : natural_frequency) {
       const double at = w * channel.sample_s;
-      add_powers(channel.rest, (1 - outer_reach) * at, (1 - inner_reach) * at, white, powers);
-      add_powers(channel.rest, (1 + inner_reach) * at, (1 + outer_reach) * at, white, powers);
+      add_powers(rest, (1 - outer_reach) * at, (1 - inner_reach) * at, white, powers);
+      add_powers(rest, (1 + inner_reach) * at, (1 + outer_reach) * at, white, powers);
     }
   }
   if (powers.empty()) return 1;

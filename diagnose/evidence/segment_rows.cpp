@@ -49,11 +49,11 @@ void SegmentRows::fill(std::size_t segment, VectorXd error, Eigen::Ref<VectorXd>
   const auto& [of_state, of_change, foreign] = f.directions;
   error /= f.widening;
   error -= of_state * (of_state.transpose() * error);
-  VectorXd changes = of_change.transpose() * error;
-  if (f.segment.is_in_folds())
-    changes.setZero();
-  else
+  VectorXd changes = VectorXd::Zero(of_change.cols());
+  if (!f.segment.is_in_folds()) {
+    changes = of_change.transpose() * error;
     error -= of_change * changes;
+  }
   auto rest = rows.tail(error.size());
   if (noise.empty()) {
     rows.head(changes.size()) = changes;

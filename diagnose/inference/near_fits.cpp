@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagnose/inference/single_fits.hpp"
+#include "numerics/in_parallel.hpp"
 
 namespace secular {
 namespace {
@@ -46,12 +47,13 @@ void fit_near(ExplanationSearch& search, const Inference& near) {
     fit_singles(search);
   else
     take_singles(search, near);
-  for (std::size_t i = 0; i < std::min(most_near, near.explanations.size()); ++i) {
-    Explanation e;
-    e.members = near.explanations[i].members;
-    e.fit.unknowns = near.explanations[i].fit.unknowns;
-    search.found.push_back(search.explain(e.members, e.fit.unknowns));
-  }
+  const std::size_t count = std::min(most_near, near.explanations.size()), first = search.found.size();
+  search.found.resize(first + count);
+  search.expected = search.fitted + count;
+  in_parallel(count, search.options.threads, [&](std::size_t i) {
+    const Explanation& e = near.explanations[i];
+    search.found[first + i] = search.explain(e.members, e.fit.unknowns);
+  });
   keep_best_of_each(search.found, search.candidates);
   if (!search.found.empty()) judge_at_best(search);
 }

@@ -67,7 +67,7 @@ class OpenDiagnosis::Stages {
   const Diagnosis& result() const { return result_; }
 
   const Inference& inference() const { return inference_; }
-  bool has_decays() const { return compares_decays(comparison_, campaign_); }
+  bool holds_decays() const { return compares_decays(comparison_, campaign_); }
   const std::vector<StateForce>& forces() const { return comparison_.forces; }
   const Refit& fit() const { return best_ != nullptr ? best_->fit : inference_.null.fit; }
 
@@ -106,7 +106,7 @@ class OpenDiagnosis::Stages {
     result_.unsteady = comparison_.unsteady;
     result_.spans = comparison_.spans;
     result_.data_used = comparison_.data_used;
-    result_.decays_in_one_piece = options_.whole_decays && has_decays();
+    result_.decays_in_one_piece = options_.whole_decays && holds_decays();
     result_.gap.judged = whose_gap(options_.given);
     result_.gap.metric = metric;
   }
@@ -280,10 +280,7 @@ class OpenDiagnosis::Stages {
   }
 
   // That parts of decays in one piece differ by as much in the numbers of the best explanation.
-  double p_value_of_parts() const {
-    const PartsAgreement parts = agreement_of_parts(best_->fit, parts_by_fold(result_.labels));
-    return parts.freedom > 0 ? parts.p_value : 1;
-  }
+  double p_value_of_parts() const { return agreement_of_parts(best_->fit, parts_by_fold(result_.labels)).p_value; }
 
   // The best explanation is not all of the gap. Where the model's own numbers, fitted, close most of that of the
   // given ones, what an effect that is tried beside them closes is their doing.
@@ -391,7 +388,7 @@ const Inference& OpenDiagnosis::inference() const {
 }
 
 bool OpenDiagnosis::holds_decays() const {
-  return stages_->has_decays();
+  return stages_->holds_decays();
 }
 
 const std::vector<StateForce>& OpenDiagnosis::forces() const {
